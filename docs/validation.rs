@@ -169,7 +169,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 fn outdated(page: &Path, text: &str) -> Result<String, Box<dyn Error>> {
     let written = std::fs::read_to_string(page)?;
     let (known, recorded) = (lasting(&written), lasting(text));
-    let mut message = format!("{} is not what the tests recorded\n", page.display());
+    let mut message = format!("{} differs from the records of the tests\n", page.display());
     let only = |mark: char, lines: &[Vec<&str>], others: &[Vec<&str>]| {
         let lines = lines.iter().filter(|line| !others.contains(line));
         let list: Vec<String> = lines

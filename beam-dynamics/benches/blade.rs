@@ -1,6 +1,6 @@
 //! Twenty modes of a twisted, tapered blade over the number of its elements: the time
 //! at one speed split into its stages, how it grows with the number of elements, and
-//! what two threads gain over twenty speeds. Processor times, as ratios within the run.
+//! the gain by two threads over twenty speeds. Processor times, as ratios within the run.
 //!
 //! `cargo bench -p beam-dynamics --bench blade`
 

@@ -24,7 +24,7 @@ const CHAINS: usize = 4;
 const CHANGE: f64 = 0.01;
 
 /// The matrix of a root block and four chains on it, of about `size` unknowns: forces
-/// of a block hang on all unknowns of its neighbors, constraints on those beside
+/// of a block depend on all unknowns of its neighbors, constraints on those beside
 /// multipliers.
 fn tree(size: usize) -> Sparse {
     let blocks = size / BLOCK;

@@ -101,20 +101,25 @@ pub fn run(
 }
 
 fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal<'_>) -> u8 {
-    let arguments = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => arguments,
+    match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => {
+            terminal.set_quiet(arguments.command.is_quiet());
+            run_command(arguments.command, terminal)
+        }
         Err(message) if message.use_stderr() => {
             terminal.report_text(message.render().to_string().trim_end());
-            return WRONG_INPUT;
+            WRONG_INPUT
         }
         // The texts of --help and --version.
         Err(message) => {
             terminal.show(&message.render().to_string());
-            return DONE;
+            DONE
         }
-    };
-    terminal.set_quiet(arguments.command.is_quiet());
-    match arguments.command {
+    }
+}
+
+fn run_command(command: Command, terminal: &mut Terminal<'_>) -> u8 {
+    match command {
         Command::Modes {
             files,
             results,
@@ -133,7 +138,11 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Periodic { files, results } => {
             periodic::periodic_of_files(&files, &results, terminal)
         }
-        Command::Trim { files, results } => trim::trim_of_files(&files, &results, terminal),
+        Command::Trim {
+            files,
+            results,
+            json,
+        } => trim::trim_of_files(&files, (&results, json), terminal),
         Command::Stability { files, results } => {
             stability::stability_of_files(&files, &results, terminal)
         }

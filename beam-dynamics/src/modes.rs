@@ -1,5 +1,5 @@
-//! Modes: eigenvalues of the linearized system, what each mode does, and which mode
-//! at one speed is which at the next.
+//! Modes: eigenvalues of the linearized system, the motion of each mode, and the mode at
+//! the next speed that continues it.
 
 mod copies;
 mod crowded;

@@ -286,9 +286,10 @@ pub fn counted(count: usize, name: &str) -> String {
 /// Names in quotes, joined by commas; "none" for none.
 pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
     let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match names.is_empty() {
-        true => "none".to_owned(),
-        false => names.join(", "),
+    if names.is_empty() {
+        "none".to_owned()
+    } else {
+        names.join(", ")
     }
 }
 

@@ -54,9 +54,12 @@ impl FileKind {
     pub fn of(path: &Path, text: &str) -> Option<Self> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let by_name = || first(&ENDINGS, |ending| name.ends_with(ending));
-        let by_line = || match name.ends_with(".toml") {
-            true => first(&LINES, |mark| has_line(text, mark)),
-            false => None,
+        let by_line = || {
+            if name.ends_with(".toml") {
+                first(&LINES, |mark| has_line(text, mark))
+            } else {
+                None
+            }
         };
         let is_shared = || name.to_lowercase().ends_with(SHARED_ENDING);
         let by_mesh = || (mesh_file::has_ending(&name) && !is_shared()).then_some(Self::Mesh);
@@ -109,13 +112,12 @@ fn first(kinds: &[(&str, FileKind)], has: impl Fn(&str) -> bool) -> Option<FileK
 fn has_line(text: &str, mark: &str) -> bool {
     let lines = text.lines().map(str::trim_start);
     let is_head = |line: &&str| line.starts_with('[');
-    match is_head(&mark) {
-        true => lines.filter(is_head).any(|line| line.starts_with(mark)),
-        false => {
-            let squeezed = |line: &str| line.replace(' ', "");
-            let mut top = lines.take_while(|line| !is_head(line));
-            top.any(|line| squeezed(line).starts_with(&squeezed(mark)))
-        }
+    if is_head(&mark) {
+        lines.filter(is_head).any(|line| line.starts_with(mark))
+    } else {
+        let squeezed = |line: &str| line.replace(' ', "");
+        let mut top = lines.take_while(|line| !is_head(line));
+        top.any(|line| squeezed(line).starts_with(&squeezed(mark)))
     }
 }
 

@@ -221,9 +221,10 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     let mut names: Vec<_> = fitting.map(|unit| unit.0).collect();
     let compound = expected.and_then(compound).unwrap_or_default().iter();
     names.extend(compound.filter(|name| NAMES.iter().all(|unit| unit.0 != **name)));
-    let what = match names.is_empty() {
-        true => "known units",
-        false => "units of it",
+    let what = if names.is_empty() {
+        "known units"
+    } else {
+        "units of it"
     };
     if names.is_empty() {
         names.extend(NAMES.iter().map(|unit| unit.0));
@@ -384,9 +385,10 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
     };
     let (number, unit) = split_quantity(text).ok_or_else(malformed)?;
     let unit = parse(&unit)?;
-    match (number * unit.factor).is_finite() {
-        true => Ok((number * unit.factor, unit.dimension)),
-        false => Err(malformed()),
+    if (number * unit.factor).is_finite() {
+        Ok((number * unit.factor, unit.dimension))
+    } else {
+        Err(malformed())
     }
 }
 

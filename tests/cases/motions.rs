@@ -133,7 +133,10 @@ fn check(case: &str) {
     let folder = format!("cases/dynamics/{case}");
     let workplace = Workplace::new(&[&folder], ".");
     let page = std::fs::read_to_string(workplace.path(&format!("{folder}/README.md"))).unwrap();
-    assert!(page.contains("**Expected"), "{case}: what is expected?");
+    assert!(
+        page.contains("**Expected"),
+        "{case}: no line \"**Expected\""
+    );
     let mut ran = 0;
     for (_, _, text) in blocks(&page).iter().filter(|block| block.0 == "sh") {
         for command in commands(text) {

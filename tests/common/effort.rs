@@ -1,6 +1,6 @@
 //! Number of random cases of a property, and the long form of slow tests.
 
-/// Setting of the environment that asks for the long form of random tests.
+/// Environment variable that requests the long form of random tests.
 const LONG: &str = "HELICOID_LONG_TESTS";
 
 /// How much longer the long form is.
@@ -15,7 +15,7 @@ pub fn cases(usual: usize) -> usize {
     }
 }
 
-/// Whether the long form is asked for.
+/// Whether the long form is requested.
 pub fn is_long() -> bool {
     std::env::var_os(LONG).is_some()
 }

@@ -32,7 +32,7 @@ impl Recorder for Kept {
 pub fn gain(outcome: &TransientOutcome) -> Option<String> {
     let failure = outcome.failure.iter().map(ToString::to_string);
     let mut reported = outcome.remarks.iter().cloned().chain(failure);
-    reported.find(|text| text.contains("the energy grows beyond what was put in"))
+    reported.find(|text| text.contains("the energy grows by more than the input"))
 }
 
 /// A run in time: the start, and steps after it.

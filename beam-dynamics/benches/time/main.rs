@@ -2,8 +2,8 @@
 //! with the number of beams: a swinging cantilever of 20, 100 and 400 beams (model M), and
 //! a rotor of four blades of 20 beams (model T), with lumped and with consistent inertia.
 //!
-//! The models take turns, and of each the fastest of many runs counts. Ratios within the
-//! run are what means something elsewhere.
+//! The models take turns, and of each the fastest of many runs counts. Only ratios
+//! within the run are comparable between machines.
 //!
 //! `cargo bench -p beam-dynamics --bench time`, with another number of rounds behind `--`
 
@@ -24,7 +24,7 @@ use cantilever::cantilever;
 use line::Inertia;
 use rotor::rotor;
 
-/// Rounds in which each model has its turn, unless it is said.
+/// Default number of rounds, in each of which every model runs once.
 const ROUNDS: usize = 7;
 /// Numbers of beams of the cantilever.
 const BEAMS: [usize; 3] = [20, 100, 400];

@@ -17,7 +17,7 @@ const ROUND_OFF: f64 = 1e-13;
 /// difference of strains, with their round-off.
 const OF_SCALARS: f64 = 1e-3;
 
-/// The equations `F(y, 0) = 0` of a system, and a state that is to fulfill them.
+/// The equations `F(y, 0) = 0` of a system, and a state that must satisfy them.
 #[derive(Clone)]
 pub(super) struct Balance<'a> {
     pub system: &'a System,

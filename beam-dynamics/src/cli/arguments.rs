@@ -359,6 +359,9 @@ pub(super) enum Command {
         files: Vec<PathBuf>,
         #[command(flatten)]
         results: Results,
+        /// Write NAME.trim.json as well, for other programs
+        #[arg(long)]
+        json: bool,
     },
     #[command(
         about = first_line(STABILITY),

@@ -1,4 +1,4 @@
-//! `expand`: prints a dynamics file with the cards for which its rotors stand.
+//! `expand`: prints a dynamics file with the cards to which its rotors expand.
 
 use std::path::Path;
 

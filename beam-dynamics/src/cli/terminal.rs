@@ -75,7 +75,7 @@ impl<'a> Terminal<'a> {
         self.take(Message::Shown(text.to_owned()));
     }
 
-    /// Shows what was written so far, before a long work.
+    /// Flushes the output so far, before a long computation.
     pub fn flush(&mut self) {
         self.take(Message::Flush);
     }

@@ -12,10 +12,10 @@ use crate::input::{self, Input};
 use crate::output::{self, ResultLocation};
 use crate::result::TrimResult;
 
-/// `trim FILE...`
+/// `trim FILE...`, with `json` also as JSON
 pub(super) fn trim_of_files(
     paths: &[PathBuf],
-    results: &Results,
+    (results, json): (&Results, bool),
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let requested = MissingTable {
@@ -28,15 +28,16 @@ pub(super) fn trim_of_files(
         results,
         terminal,
         (|input| input.trim.as_ref(), requested),
-        trim_of,
+        |path, input, settings, location, terminal| {
+            trim_of(path, (input, settings), (location, json), terminal)
+        },
     )
 }
 
 fn trim_of(
     path: &Path,
-    input: &Input,
-    settings: &TrimSettings,
-    location: &ResultLocation,
+    (input, settings): (&Input, &TrimSettings),
+    (location, json): (&ResultLocation, bool),
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let read = |given: &[(String, f64)]| input::read_with(path, given);
@@ -46,7 +47,7 @@ fn trim_of(
     let mut code = report_failure(&result, location, terminal);
     let text = output::trim_text(&result);
     terminal.show(&text);
-    let written = output::write_trim(&result, location);
+    let written = output::write_trim(&result, location, json);
     code = code.max(finish(None, written, terminal));
     if let Some(end) = outcome.end {
         code = code.max(write_end(end, location, terminal));

@@ -8,7 +8,7 @@ use rotor_aero::strip::StripReport;
 /// Name of the rotor of blades without an inflow.
 pub const NO_INFLOW: &str = "rotor";
 
-/// The place of a strip in the model.
+/// Location of a strip in the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StripPlace {
     /// Name of the rotor: of its inflow, if it has one; `None` without a rotor.
@@ -54,7 +54,7 @@ pub struct RotorMotion {
 /// A strip in the air.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AirState {
-    /// Its place.
+    /// Its location.
     pub place: Arc<StripPlace>,
     /// Distance of the quarter chord from the shaft; not a number without a rotor \[m\].
     pub radius: f64,

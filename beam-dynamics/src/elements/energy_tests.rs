@@ -125,7 +125,7 @@ fn stored_rate(element: &dyn Element, motion: &[NodeMotion], rates: &Rates) -> f
     (at(STEP) - at(-STEP)) / (2.0 * STEP)
 }
 
-/// The stored energy comes from the power of the forces.
+/// The rate of the stored energy is the power of the forces with the opposite sign.
 fn check_stored(element: &dyn Element, nodes: &[Node]) {
     let (motion, rates) = displaced(nodes);
     let found = stored_rate(element, &motion, &rates);

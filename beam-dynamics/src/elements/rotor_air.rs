@@ -8,8 +8,8 @@
 //! ```
 //!
 //! T, Q and P are of the air on the blades: P is positive for turbines. The coefficients are the
-//! ones of [`rotor_aero::rotor`]; for rotors and propellers torque and power are what the shaft
-//! must provide, -Q and -P.
+//! ones of [`rotor_aero::rotor`]; for rotors and propellers torque and power are the ones that
+//! the shaft must provide, -Q and -P.
 
 use rotor_aero::rotor::{Machine, OperatingPoint, Performance};
 

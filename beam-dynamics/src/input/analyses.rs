@@ -74,9 +74,10 @@ pub(super) fn read(
     periodic: Option<Option<PeriodicSettings>>,
     trim: Option<Option<TrimSettings>>,
 ) -> Option<Analyses> {
-    let modes = match root.has("modes") {
-        true => speeds::read(root).map(Some),
-        false => Some(None),
+    let modes = if root.has("modes") {
+        speeds::read(root).map(Some)
+    } else {
+        Some(None)
     };
     let (statics, buckling) = (statics(root), buckling(root));
     let transient = transient::read(root);

@@ -83,9 +83,10 @@ fn properties(
     builder: &mut ModelBuilder,
     words: &str,
 ) -> Option<BeamProperties> {
-    let properties = match table.has(&PROPERTIES) {
-        true => Some(builder.find_properties(table, &PROPERTIES, words)),
-        false => None,
+    let properties = if table.has(&PROPERTIES) {
+        Some(builder.find_properties(table, &PROPERTIES, words))
+    } else {
+        None
     };
     if table.has(&LAW) {
         let is_named = properties.is_some();
@@ -154,9 +155,10 @@ fn geometry(table: &Table<'_>) -> Option<BeamGeometry> {
     let (offsets, turns) = (offsets?, turns?);
     Some(BeamGeometry::new(std::array::from_fn(|k| BeamNode {
         offset: offsets[k],
-        orientation: match turns[k] == Vector3::zeros() {
-            true => Matrix3::identity(),
-            false => vector::to_rotation(&turns[k]),
+        orientation: if turns[k] == Vector3::zeros() {
+            Matrix3::identity()
+        } else {
+            vector::to_rotation(&turns[k])
         },
     })))
 }

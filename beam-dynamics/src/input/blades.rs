@@ -171,9 +171,10 @@ fn card(
     builder: &mut ModelBuilder,
     named: Option<&mounts::NamedAzimuths>,
 ) -> Option<Card> {
-    let name = match table.has("name") {
-        true => table.text("name").unwrap_or_default(),
-        false => String::new(),
+    let name = if table.has("name") {
+        table.text("name").unwrap_or_default()
+    } else {
+        String::new()
     };
     let mounts = mounts::read(table, builder, named);
     let formulation = formulation::read(table);
@@ -242,9 +243,10 @@ fn lay(
 }
 
 fn root(table: &Table<'_>, name: &str, builder: &ModelBuilder) -> Option<Root> {
-    let hinges = match table.has(&HINGES) {
-        true => Some(hinges::read(table, builder.drives())?),
-        false => None,
+    let hinges = if table.has(&HINGES) {
+        Some(hinges::read(table, builder.drives())?)
+    } else {
+        None
     };
     let Some(clamped) = table.get(&CLAMP_ROOT)? else {
         return Some(match hinges {
@@ -257,10 +259,7 @@ fn root(table: &Table<'_>, name: &str, builder: &ModelBuilder) -> Option<Root> {
         table.note(&CLAMP_ROOT, &BladeProblem::HingesAndClamp { blade });
         return None;
     }
-    Some(match clamped {
-        true => Root::Clamped,
-        false => Root::Free,
-    })
+    Some(if clamped { Root::Clamped } else { Root::Free })
 }
 
 /// Adds nodes, beams, masses and the root of one blade to the model.

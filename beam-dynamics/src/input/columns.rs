@@ -51,9 +51,10 @@ const MOST_FIELDS: f64 = 1e5;
 
 /// Reads `[output]`; without it, and without columns in it, default columns are written.
 pub(super) fn read(root: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
-    let mut settings = match root.has("output") {
-        true => card(&root.table("output")?, builder)?,
-        false => OutputSettings::default(),
+    let mut settings = if root.has("output") {
+        card(&root.table("output")?, builder)?
+    } else {
+        OutputSettings::default()
     };
     if settings.columns.is_empty() {
         settings.columns = preset::columns(builder);

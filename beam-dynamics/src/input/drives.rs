@@ -180,9 +180,10 @@ fn formula(item: &Item<'_>, text: &str, measure: Measure) -> Option<Drive> {
         // The problem of the parameter has been reported.
         return None;
     }
-    match value.is_finite() {
-        true => Some(Drive::Constant(factor * value)),
-        false => item.wrong("an expression with a finite value"),
+    if value.is_finite() {
+        Some(Drive::Constant(factor * value))
+    } else {
+        item.wrong("an expression with a finite value")
     }
 }
 

@@ -318,9 +318,10 @@ fn circuit(table: &Table<'_>, builder: &ModelBuilder, label: &str) -> Option<Cir
         table.note(&NAME, &ElectrodeProblem::NoCircuit { electrode });
         return None;
     }
-    let source = match given[0] {
-        true => drives::read_signal(table, &VOLTAGE.schema, builder.drives()),
-        false => Some(Drive::Constant(0.0).into()),
+    let source = if given[0] {
+        drives::read_signal(table, &VOLTAGE.schema, builder.drives())
+    } else {
+        Some(Drive::Constant(0.0).into())
     };
     let (resistance, inductance) = (table.get(&RESISTANCE), table.get(&INDUCTANCE));
     let (source, resistance, inductance) = (source?, resistance?, inductance?);

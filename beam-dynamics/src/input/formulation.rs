@@ -50,9 +50,10 @@ fn formulation(table: &Table<'_>) -> Option<Formulation> {
     let (formulation, interpolation) = (table.get(&FORMULATION), table.get(&INTERPOLATION));
     let is_volume = formulation? == 1;
     let Some(word) = interpolation? else {
-        return Some(match is_volume {
-            true => Formulation::FiniteVolume(Parametrization::Gibbs),
-            false => Formulation::Variational,
+        return Some(if is_volume {
+            Formulation::FiniteVolume(Parametrization::Gibbs)
+        } else {
+            Formulation::Variational
         });
     };
     if !is_volume {

@@ -277,9 +277,10 @@ fn frame(table: &Table<'_>) -> Option<Frame> {
     }
     let (turn, axis, center) = (table.get(&TURN), axis(table), table.get(&CENTER));
     let (turn, center) = (turn??, center?);
-    let rotation = match turn == 0.0 {
-        true => Matrix3::identity(),
-        false => vector::to_rotation(&(turn * axis?)),
+    let rotation = if turn == 0.0 {
+        Matrix3::identity()
+    } else {
+        vector::to_rotation(&(turn * axis?))
     };
     // p -> c + A (p - c), then moved.
     let position = position? + center - rotation * center;

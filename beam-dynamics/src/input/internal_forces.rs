@@ -83,13 +83,15 @@ fn force(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<I
     let signal = drives::read_factor(table, &DRIVE.schema, builder.drives());
     let factor = table.get(&CONSTANT);
     let frame = builder.frames().of(table);
-    let between = match table.has(&TENSION) {
-        true => along_line(table, nodes.as_deref()),
-        false => in_axes(table, nodes.as_deref(), (builder, frame)),
+    let between = if table.has(&TENSION) {
+        along_line(table, nodes.as_deref())
+    } else {
+        in_axes(table, nodes.as_deref(), (builder, frame))
     };
-    let factor = match factor? {
-        true => LoadFactor::Constant,
-        false => LoadFactor::Proportional,
+    let factor = if factor? {
+        LoadFactor::Constant
+    } else {
+        LoadFactor::Proportional
     };
     Some(InternalForce::new(
         label,

@@ -38,9 +38,10 @@ fn input(cards: &str) -> Result<Input, String> {
 fn entry(input: &Input, row: usize, column: usize, by_rates: bool) -> f64 {
     let system = &input.model.system;
     let tangent = system.tangent(&system.rest(), &Conditions::at_rest());
-    let matrix = match by_rates {
-        true => tangent.by_rates,
-        false => tangent.by_unknowns,
+    let matrix = if by_rates {
+        tangent.by_rates
+    } else {
+        tangent.by_unknowns
     };
     let found = matrix
         .triplets()

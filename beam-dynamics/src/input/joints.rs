@@ -130,9 +130,10 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
 pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
     let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
-    let angle = match table.has(&ANGLE) {
-        true => drives::read_signal(table, &ANGLE.schema, drives),
-        false => Some(Drive::Constant(0.0).into()),
+    let angle = if table.has(&ANGLE) {
+        drives::read_signal(table, &ANGLE.schema, drives)
+    } else {
+        Some(Drive::Constant(0.0).into())
     };
     let constant = angle.as_ref().and_then(Signal::constant);
     if let Some(found) = constant.map(f64::to_degrees)

@@ -117,9 +117,10 @@ pub(super) fn read<const N: usize>(
     of: &Components<N>,
     drives: &Catalog,
 ) -> Option<Law<N>> {
-    let tables = match table.is_list(key) {
-        true => table.tables(key),
-        false => vec![table.require_table(key, "the table of a law, or a list of them")?],
+    let tables = if table.is_list(key) {
+        table.tables(key)
+    } else {
+        vec![table.require_table(key, "the table of a law, or a list of them")?]
     };
     if tables.is_empty() {
         table.note(key, &LawProblem::Empty);
@@ -201,9 +202,10 @@ fn driven<const N: usize>(
         return Some(None);
     }
     let vector = numbers::vector(table, key.name(), dimensions);
-    let signal = match table.has(drive_key) {
-        true => drives::read_signal(table, &drive_key.schema, drives),
-        false => Some(Signal::default()),
+    let signal = if table.has(drive_key) {
+        drives::read_signal(table, &drive_key.schema, drives)
+    } else {
+        Some(Signal::default())
     };
     let vector: SVector<f64, N> = vector?;
     Some(Some(Driven {

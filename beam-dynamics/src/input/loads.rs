@@ -119,9 +119,10 @@ pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vecto
     }
     let table = root.table("gravity")?;
     let found = table.get(&ACCELERATION);
-    let drive = match table.has(&GRAVITY_DRIVE) {
-        true => drives::read(&table, &GRAVITY_DRIVE.schema, builder.drives()),
-        false => Some(Drive::Constant(1.0)),
+    let drive = if table.has(&GRAVITY_DRIVE) {
+        drives::read(&table, &GRAVITY_DRIVE.schema, builder.drives())
+    } else {
+        Some(Drive::Constant(1.0))
     };
     table.finish_beside(&OF_GRAVITY);
     found.zip(drive)
@@ -141,9 +142,12 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
             (Some(nodes), Some((load, in_node)), Some(frame), Some(signal)) if is_new => {
                 for &node in &nodes {
                     let on = &builder.nodes()[node];
-                    let turn = |vector: Vector3<f64>| match in_node {
-                        true => on.rotation * vector,
-                        false => frame.direction(&vector),
+                    let turn = |vector: Vector3<f64>| {
+                        if in_node {
+                            on.rotation * vector
+                        } else {
+                            frame.direction(&vector)
+                        }
                     };
                     let load = NodalForce {
                         force: turn(load.force),
@@ -211,21 +215,24 @@ fn kind(table: &Table<'_>) -> Option<(Turning, LoadFactor)> {
         table.note(&RELEASE, &LoadProblem::ReleasedAndConstant);
         return None;
     }
-    let factor = match release? {
-        true => factor.map(|_| LoadFactor::Released),
-        false => factor,
+    let factor = if release? {
+        factor.map(|_| LoadFactor::Released)
+    } else {
+        factor
     };
-    let turning = match follower? {
-        true => Turning::Follower,
-        false => Turning::Dead,
+    let turning = if follower? {
+        Turning::Follower
+    } else {
+        Turning::Dead
     };
     Some((turning, factor?))
 }
 
 fn factor(table: &Table<'_>) -> Option<LoadFactor> {
-    Some(match table.get(&CONSTANT)? {
-        true => LoadFactor::Constant,
-        false => LoadFactor::Proportional,
+    Some(if table.get(&CONSTANT)? {
+        LoadFactor::Constant
+    } else {
+        LoadFactor::Proportional
     })
 }
 
@@ -238,9 +245,10 @@ fn read_imposed(root: &Table<'_>, builder: &mut ModelBuilder) {
         let node = node(table, builder, &label);
         let motion = imposed(table);
         let frame = builder.frames().of(table);
-        let drive = match table.has(&FACTOR) {
-            true => drives::read_position(table, &FACTOR.schema, builder.drives()).map(Some),
-            false => Some(None),
+        let drive = if table.has(&FACTOR) {
+            drives::read_position(table, &FACTOR.schema, builder.drives()).map(Some)
+        } else {
+            Some(None)
         };
         table.finish();
         let (Some(node), Some(mut motion), Some(frame), Some(drive), true) =

@@ -83,9 +83,10 @@ fn points(table: &Table<'_>) -> Option<Vec<MeasuredPoint>> {
     let path = table.path("file", &written);
     let file = path.display().to_string();
     if !path.is_file() {
-        let reason = match path.exists() {
-            true => "not a file",
-            false => "no such file",
+        let reason = if path.exists() {
+            "not a file"
+        } else {
+            "no such file"
         };
         let reason = reason.to_owned();
         table.note("file", &InputProblem::NoMeasurements { file, reason });

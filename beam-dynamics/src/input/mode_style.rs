@@ -31,13 +31,15 @@ keys! {
 pub(super) fn read(table: &Table<'_>, speeds: Option<&[f64]>) -> Option<ModeStyle> {
     let words = table.get(&WORDS).map(|k| Words::ALL[k]);
     let unit = table.get(&FREQUENCY_UNIT).map(|k| FrequencyUnit::ALL[k]);
-    let harmonics = match table.has(&HARMONICS) {
-        true => harmonics(table),
-        false => Some(Vec::new()),
+    let harmonics = if table.has(&HARMONICS) {
+        harmonics(table)
+    } else {
+        Some(Vec::new())
     };
-    let name_at = match table.has(&NAME_AT) {
-        true => name_at(table, speeds).map(Some),
-        false => Some(None),
+    let name_at = if table.has(&NAME_AT) {
+        name_at(table, speeds).map(Some)
+    } else {
+        Some(None)
     };
     Some(ModeStyle {
         words: words?,

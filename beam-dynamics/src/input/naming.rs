@@ -25,17 +25,20 @@ impl ModelBuilder {
         let group_axes = self.group_axes(&groups, &sections)?;
         let central = self.central()?;
         let along = self.hub()?.shaft_axes();
-        let axes = |node: usize| match central[node] {
-            true => NamingAxes {
-                blade: along,
-                section: along,
-                is_central: true,
-            },
-            false => NamingAxes {
-                blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
-                section: sections[node],
-                is_central: false,
-            },
+        let axes = |node: usize| {
+            if central[node] {
+                NamingAxes {
+                    blade: along,
+                    section: along,
+                    is_central: true,
+                }
+            } else {
+                NamingAxes {
+                    blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
+                    section: sections[node],
+                    is_central: false,
+                }
+            }
         };
         Some((0..groups.len()).map(axes).collect())
     }

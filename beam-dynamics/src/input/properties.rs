@@ -73,20 +73,20 @@ pub(super) fn read(root: &Table<'_>, drives: &drives::Catalog) -> Catalog {
     let mut catalog = Catalog::default();
     for (name, table) in tables {
         let is_file = table.has(&FILE);
-        let properties = match is_file {
-            true => from_file(&name, &table),
-            false => {
-                note_inline_prestress(&name, &table);
-                inline_properties::read(&name, &table)
-            }
+        let properties = if is_file {
+            from_file(&name, &table)
+        } else {
+            note_inline_prestress(&name, &table);
+            inline_properties::read(&name, &table)
         };
         let properties = with_law(&name, properties, &table, drives);
         let words = format!("properties \"{name}\"");
         let properties = heat::read(&table, properties, drives, &words);
         table.finish();
-        let remark = match is_file || !is_si(&table) {
-            true => section_remark,
-            false => written_section_remark,
+        let remark = if is_file || !is_si(&table) {
+            section_remark
+        } else {
+            written_section_remark
         };
         let remark = properties
             .as_ref()
@@ -222,9 +222,10 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     if let Some(damping) = damping? {
         properties.damping = Some(damping);
     }
-    let prestress = match is_prestressed? {
-        true => Some(third_of(name, table, &properties, &path)?),
-        false => None,
+    let prestress = if is_prestressed? {
+        Some(third_of(name, table, &properties, &path)?)
+    } else {
+        None
     };
     let usable = usable(name, table, FILE.name(), &properties)?;
     Some(Properties {

@@ -63,9 +63,10 @@ fn rod(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Rod
         _ => None,
     };
     let measure = table.get(&MEASURE);
-    let relaxed = match table.has(&LENGTH) {
-        true => drives::read_length(table, &LENGTH.schema, builder.drives()).map(Some),
-        false => Some(None),
+    let relaxed = if table.has(&LENGTH) {
+        drives::read_length(table, &LENGTH.schema, builder.drives()).map(Some)
+    } else {
+        Some(None)
     };
     let of = match measure {
         Some(1) => Components::ELONGATION,

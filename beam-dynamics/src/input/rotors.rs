@@ -1,6 +1,6 @@
-//! Rotors: `[[rotor]]`, a card that stands for others.
+//! Rotors: `[[rotor]]`, a card that expands to others.
 //!
-//! The cards for which it stands are appended to the document before any card is read, so that
+//! The cards to which it expands are appended to the document before any card is read, so that
 //! a rotor has no physics of its own; the same cards in a file give the same results.
 
 use std::f64::consts::TAU;
@@ -17,6 +17,7 @@ use crate::case::Start;
 mod arms;
 mod base;
 mod card;
+mod context;
 mod controls;
 mod distributor;
 mod hubs;
@@ -35,7 +36,7 @@ pub(super) use keys::CARD;
 pub use problem::RotorProblem;
 
 use card::Rotor;
-use controls::Context;
+use context::Context;
 use shaft::Drive;
 
 /// The key of the cards.
@@ -54,9 +55,10 @@ pub(super) struct PlacedRotor {
     speed: Option<f64>,
 }
 
-/// Appends the cards of all rotors; `None` if one is wrong, which has been noted.
+/// Appends the cards of all rotors; `None` if one is wrong, which has been noted. The cards of a
+/// rotor with wrong controls are appended too.
 pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
-    let rotors = read(document)?;
+    let (rotors, is_sound) = read(document)?;
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
         name: rotor.base.name,
@@ -68,13 +70,14 @@ pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
             _ => None,
         },
     };
-    Some(rotors.into_iter().map(|(rotor, _)| place(rotor)).collect())
+    let placed = rotors.into_iter().map(|(rotor, _)| place(rotor));
+    is_sound.then(|| placed.collect())
 }
 
 /// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
 /// been noted.
 pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
-    let rotors = read(document)?;
+    let (rotors, is_sound) = read(document)?;
     let text = |cards: &[Card]| {
         let cards: Vec<_> = cards.iter().map(ToString::to_string).collect();
         cards.join("\n")
@@ -85,18 +88,21 @@ pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String>
         let line = rotors.first().map_or(1, |(rotor, _)| rotor.base.line);
         document.note(line, &RotorProblem::NotInText);
     }
-    replaced
+    replaced.filter(|_| is_sound)
 }
 
-/// The rotors of a document with their cards.
-fn read(document: &Document) -> Option<Vec<(Rotor, Vec<Card>)>> {
+/// Rotors with their cards.
+type Expanded = Vec<(Rotor, Vec<Card>)>;
+
+/// The rotors of a document, and whether all of their controls are right.
+fn read(document: &Document) -> Option<(Expanded, bool)> {
     let root = document.root_of(&DYNAMICS_FILE);
     let repeated = note_repeated(&root);
     if !root.has(KEY) {
-        return (!repeated).then(Vec::new);
+        return (!repeated).then(|| (Vec::new(), true));
     }
     let tables = root.tables(KEY);
-    let context = context(&root);
+    let context = Context::of(&root);
     let read: Vec<_> = tables
         .iter()
         .map(|table| card::read(table, &context))
@@ -121,14 +127,15 @@ fn read(document: &Document) -> Option<Vec<(Rotor, Vec<Card>)>> {
         .into_iter()
         .map(|rotor| match rotor.cards(has_hub) {
             Ok(cards) => Some((rotor, cards)),
-            Err(problem) => {
-                document.note(rotor.base.line, &problem);
+            Err((line, problem)) => {
+                document.note(line, &problem);
                 None
             }
         })
         .collect();
     let expanded: Option<Vec<_>> = expanded.into_iter().collect();
-    expanded.filter(|_| !repeated && tables.len() == root.row_count(KEY).unwrap_or(0))
+    let is_complete = !repeated && tables.len() == root.row_count(KEY).unwrap_or(0);
+    Some((expanded.filter(|_| is_complete)?, context.is_sound()))
 }
 
 /// Notes rotors in polar copies; whether there are some.
@@ -145,27 +152,6 @@ fn note_repeated(table: &Table<'_>) -> bool {
         has_one | note_repeated(repeat)
     });
     found.fold(false, |one, other| one | other)
-}
-
-/// The names of drives, whether runs begin with given velocities, and first guesses of a trim.
-fn context(root: &Table<'_>) -> Context {
-    let drives = match root.is_table("drives") {
-        true => root
-            .table("drives")
-            .map_or_else(Vec::new, |drives| drives.keys()),
-        false => Vec::new(),
-    };
-    let is_given = |card: &str| {
-        let run = root.is_table(card).then(|| root.table(card)).flatten();
-        run.is_some_and(|run| {
-            !run.is_text("start") || run.text("start").as_deref() == Some("given")
-        })
-    };
-    Context {
-        drives,
-        moves: ["transient", "periodic"].into_iter().any(is_given),
-        guesses: super::trim::guesses(root),
-    }
 }
 
 /// Notes rotors that are not where they were after a period.

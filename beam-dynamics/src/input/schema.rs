@@ -52,7 +52,7 @@ keys! {
     STRIPS: ByHand = "strip", [Tables(&strips::STRIP)], optional, "";
     /// Polar copies of cards.
     REPEATS: ByHand = "repeat", [Tables(&REPEAT)], optional, "";
-    /// Rotors, which stand for other cards.
+    /// Rotors, which expand to other cards.
     ROTORS: ByHand = "rotor", [Tables(&rotors::CARD)], optional, "";
     /// Gravity.
     GRAVITY: ByHand = "gravity", [Table(&loads::GRAVITY)], optional, "";

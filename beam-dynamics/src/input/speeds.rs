@@ -74,9 +74,10 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
-    let speeds = match table.is_table(&SPEEDS) {
-        true => range(&table.table(&SPEEDS)?),
-        false => table.get(&SPEEDS),
+    let speeds = if table.is_table(&SPEEDS) {
+        range(&table.table(&SPEEDS)?)
+    } else {
+        table.get(&SPEEDS)
     };
     ascending(table, speeds?)
 }

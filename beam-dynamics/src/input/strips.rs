@@ -374,9 +374,10 @@ fn last_inside([mut low, mut high]: [f64; 2], is_inside: impl Fn(f64) -> bool) -
     // Halves of the span down to round-off.
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        match is_inside(middle) {
-            true => low = middle,
-            false => high = middle,
+        if is_inside(middle) {
+            low = middle
+        } else {
+            high = middle
         }
     }
     low
@@ -426,9 +427,10 @@ impl Along {
             inflow: inflow.model,
             radial_drag: self.radial_drag,
         });
-        let strip = match inflow.end.is_none_or(|end| position <= end) {
-            true => strip,
-            false => strip.with_lift(0.0),
+        let strip = if inflow.end.is_none_or(|end| position <= end) {
+            strip
+        } else {
+            strip.with_lift(0.0)
         };
         match self.flaps.iter().find(|flap| flap.is_at(position)) {
             Some(flap) => {

@@ -443,7 +443,7 @@ fn free_mechanisms_name_node_and_direction() {
     assert!(refused(&free).contains("free mechanism"));
 }
 
-// What a run in time accepts, free modes accept too; equilibria under loads do not.
+// Free modes accept the models of runs in time; equilibria under loads do not.
 #[test]
 fn free_models_have_modes_on_request() {
     let held = format!("{BEAM}{MODES}").replace("[0, 300]", "0");

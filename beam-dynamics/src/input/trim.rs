@@ -44,14 +44,16 @@ pub(super) struct Declared {
 
 /// Makes the controls readable by expressions; `None` without `[trim]`, or if its method is wrong.
 pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Option<Declared> {
-    let table = match root.has("trim") {
-        true => root.table("trim")?,
-        false => return None,
+    let table = if root.has("trim") {
+        root.table("trim")?
+    } else {
+        return None;
     };
     let method = table.get(&METHOD).map(|index| METHODS[index].0);
-    let cards = match table.has(&CONTROL) {
-        true => table.tables(&CONTROL),
-        false => Vec::new(),
+    let cards = if table.has(&CONTROL) {
+        table.tables(&CONTROL)
+    } else {
+        Vec::new()
     };
     let controls = cards.iter().map(|card| named(card, method, drives));
     let controls = controls.collect();
@@ -220,9 +222,10 @@ fn fits(
     periodic: Option<&PeriodicSettings>,
 ) -> bool {
     let is_static = method == TrimMethod::Equilibrium;
-    let others: &[&str] = match is_static {
-        true => &["modes", "static", "buckling", "transient", "periodic"],
-        false => &["modes", "static", "buckling"],
+    let others: &[&str] = if is_static {
+        &["modes", "static", "buckling", "transient", "periodic"]
+    } else {
+        &["modes", "static", "buckling"]
     };
     let word = METHODS
         .iter()

@@ -59,7 +59,7 @@ pub struct Progress {
     length: f64,
     /// Previous states with reliable rates: 0 to 2.
     known: usize,
-    /// The corner just after which the system is to be renewed.
+    /// The corner just after which the system must be renewed.
     corner: Option<Corner>,
     /// Successive steps that corners made far shorter than wanted.
     #[serde(default)]

@@ -148,7 +148,7 @@ impl<'a> EigenProblem<'a> {
     }
 
     /// The `count` eigenpairs of smallest angular frequency, ascending, where there are
-    /// so many, those without stiffness first; and what else is found on the way.
+    /// so many, those without stiffness first; and the other eigenpairs that were found.
     pub fn lowest(&self, count: usize) -> Lowest {
         let (free, sorted, is_all, space) = self.sorted(count);
         let mut pairs = self.free(free.min(count));
@@ -165,7 +165,7 @@ impl<'a> EigenProblem<'a> {
             let copies = copies_at_front(rest);
             let found = ready.pairs(&rest[..copies]);
             let mut found = found.unwrap_or_else(|| self.vectors(&rest[..copies]));
-            // Multipliers, whose values are infinite, come out as large ones by round-off,
+            // Multipliers, whose values are infinite, become large ones by round-off,
             // which no vector confirms.
             found.retain(|pair| (pair.value() - first).norm() <= CONFIRMED * first.norm());
             if first.norm() <= fastest {
@@ -355,7 +355,7 @@ impl<'a> EigenProblem<'a> {
         Some(problem)
     }
 
-    /// The same system with circuits as they are for what grows at a rate, the lowest
+    /// The same system with circuits as they act on a motion that grows at the lowest
     /// frequency: without poles of their own, and never singular, since no circuit grows by
     /// itself. `None` without circuits that have any.
     pub(super) fn without_circuits(&self, tangent: &Tangent) -> Option<Tangent> {

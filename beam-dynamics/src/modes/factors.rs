@@ -108,7 +108,7 @@ impl<'a> EigenProblem<'a> {
         let is_growing = |s: &c64| s.im > 0.0 && -s.re < least * s.norm();
         let values = self.inverse().smallest(0, self.copies(), ALL);
         let growing = values.into_iter().filter(is_growing);
-        // Infinite values come out as large ones by round-off, which no vector confirms.
+        // Infinite values become large ones by round-off, which no vector confirms.
         let confirmed = growing.filter_map(|value| {
             let pair = self.vectors(&[value]).into_iter().next()?;
             let s = c64::new(pair.growth, pair.angular_frequency);

@@ -40,8 +40,8 @@ pub(super) fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> 
 }
 
 /// A frequency \[1/s\] that no oscillation of the nodes is above: the largest of all forces
-/// on an unknown by unit motions, in units of the roots of both masses. What is beyond it is
-/// an infinite value that round-off has made finite.
+/// on an unknown by unit motions, in units of the roots of both masses. A larger value is
+/// an infinite one that round-off has made finite.
 pub(super) fn fastest(tangent: &Tangent, size: usize) -> f64 {
     let half = NODE_UNKNOWNS / 2;
     let of_motion =

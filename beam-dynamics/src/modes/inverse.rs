@@ -10,8 +10,8 @@
 //! digits, and motions without stiffness, `F_y q = 0`, are eigenvalues as any other.
 //!
 //! Unknowns of T are those that have rates: positions and rotations q, momenta and angular
-//! momenta p, and charges and currents e of circuits. Multipliers, and what moves no mass,
-//! have no rates and drop out. q is scaled by the root of its mass, so that light and heavy
+//! momenta p, and charges and currents e of circuits. Multipliers and unknowns that move
+//! no mass have no rates and drop out. q is scaled by the root of its mass, so that light and heavy
 //! bodies weigh the same, p so that the blocks `T_qp` and `T_pq` are of the same size, and e
 //! likewise against both.
 
@@ -194,8 +194,8 @@ impl Inverse {
         }
     }
 
-    /// Scales the momenta, and then what is not of nodes, by the sizes of the two blocks that
-    /// couple them with the rest, estimated with one vector; `None` when T is not finite.
+    /// Scales the momenta, and then the unknowns that are not of nodes, by the sizes of the two
+    /// blocks that couple them with the rest, estimated with one vector; `None` when T is not finite.
     fn balance(&mut self) -> Option<()> {
         let of_nodes = self.of_nodes;
         let numbers = self.indices.iter().map(|index| index % NODE_UNKNOWNS);
@@ -257,7 +257,7 @@ impl Inverse {
         eigenvalues(self.whole().as_ref())
     }
 
-    /// `T x` column by column, in all unknowns of the system: what has no rates is in it too.
+    /// `T x` column by column, in all unknowns of the system, also those without rates.
     pub fn product(&self, x: &Mat<f64>) -> Mat<f64> {
         let mut product = Mat::zeros(self.factorization.size(), x.ncols());
         for j in 0..x.ncols() {
@@ -266,7 +266,7 @@ impl Inverse {
                 to[row] -= value * self.scale[column] * from[column];
             }
         }
-        // A singular matrix was refused before; what is not finite shows as NaN.
+        // A singular matrix was refused before; entries that are not finite become NaN.
         if self.factorization.solve_columns(&mut product).is_none() {
             product.fill(f64::NAN);
         }

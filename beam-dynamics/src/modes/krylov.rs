@@ -11,8 +11,8 @@
 //! repeated eigenvalue as it has vectors, in one space of a few times the wanted number
 //! of vectors; iterating a whole space costs ten times as many products.
 //!
-//! The start vectors have been through the operator already: what belongs to its zero
-//! eigenvalues, which are defective, is gone.
+//! The operator was applied to the start vectors already, which removes the parts of its zero
+//! eigenvalues; these are defective.
 
 use faer::{Mat, MatRef, c64};
 
@@ -84,8 +84,8 @@ impl Found {
     }
 }
 
-/// The `sure` eigenvalues of largest magnitude, descending. Convergence is judged on them, the
-/// space is led by `wanted` values, which are a few more; multiplicities up to `block` are
+/// The `sure` eigenvalues of largest magnitude, descending. Convergence is judged on them; the
+/// size of the space follows from `wanted` values, a few more; multiplicities up to `block` are
 /// resolved. Values in a cluster, in which round-off moves them, count as converged.
 pub(super) fn largest(operator: &impl Operator, wanted: usize, sure: usize, block: usize) -> Found {
     let n = operator.size();
@@ -226,7 +226,7 @@ impl Space {
         operator.multiply(&mut next);
         let sizes: Vec<_> = (0..b).map(|j| next.col(j).norm_l2()).collect();
         let basis = self.basis.subcols(0, known);
-        // Twice: once leaves the round-off of what was taken away.
+        // Twice: the first projection leaves the round-off of the removed part.
         for _ in 0..2 {
             let along = basis.transpose() * &next;
             next -= basis * &along;
@@ -317,7 +317,7 @@ mod tests {
         }
     }
 
-    /// An operator of rank five: the space ends there, and what is beyond it is zero.
+    /// An operator of rank five: the space ends there, and all other eigenvalues are zero.
     #[test]
     fn a_space_that_ends_is_no_trouble() {
         let values = (0..100).map(|i| if i < 5 { 2.0 + i as f64 } else { 0.0 });

@@ -30,7 +30,7 @@ use crate::result::Whirl;
 
 /// Distances of the blades in azimuth may differ by this [rad].
 const EQUAL: f64 = 1e-6;
-/// Blades with less than this part of the kinetic energy do not tell how they move.
+/// Part of the kinetic energy below which the motion of a blade is ignored.
 const STILL: f64 = 1e-6;
 /// Unknowns of motion of a node.
 const SIX: usize = 6;
@@ -49,7 +49,7 @@ impl Rotor {
         let count = blades.len();
         let step = std::f64::consts::TAU / count as f64;
         let around = |blade: &BladeNodes| {
-            // The first blade may come out as a whole turn.
+            // The azimuth of the first blade may be a whole turn.
             let steps = ((blade.azimuth - first.azimuth) / step + 0.5).rem_euclid(count as f64);
             steps - 0.5
         };

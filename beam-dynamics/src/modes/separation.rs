@@ -5,7 +5,7 @@
 //! With `G_ij = q_i^H M q_j` and the weighted energies `W_ij = q_i^H P_w M q_j`,
 //! weights 1, 2, 3, 4 of the four kinds, the pure combinations are the eigenvectors of
 //! `W c = w G c`. On a rotor the ways in which the blades move together have weights
-//! too, parts of one, so that collective, progressive and regressive modes come apart;
+//! too, parts of one, so that collective, progressive and regressive modes are separated;
 //! the kinds then count on the blades alone: flap and lag of a hub are directions of the
 //! model, which would part its motions into those along x and y.
 
@@ -17,7 +17,7 @@ use super::sorted::COPIES;
 use super::{ModeMotion, Rotor};
 use crate::model::NamingAxes;
 
-/// Weight of the kinds of what is no blade, on a rotor: enough to part the motions in
+/// Weight of the kinds of parts other than blades, on a rotor: enough to part the motions in
 /// which no blade moves.
 const BESIDE_BLADES: f64 = 1e-6;
 

@@ -43,7 +43,7 @@ pub(super) struct Search {
     highest: f64,
     /// Magnitude up to which a value is zero in any case [1/s].
     zero: f64,
-    /// The largest value that is zero by its motion, and what round-off may make of it [1/s].
+    /// The largest value that is zero by its motion, with its round-off [1/s].
     rounded: f64,
     /// The lowest that is none [1/s].
     lowest: f64,
@@ -102,7 +102,7 @@ impl Search {
             }
             self.rounded = self.rounded.max(size);
         }
-        // From among the zeros nothing else is seen well, and what is seen is nothing.
+        // A shift among the zeros resolves no other value.
         self.judge(lowest.or(poor.filter(|_| self.rounded < FAR * from)))
     }
 

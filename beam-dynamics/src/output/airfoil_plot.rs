@@ -94,9 +94,10 @@ impl AirfoilPlot {
         let [low, high] = angles.fold([0.0_f64; 2], |[low, high], angle| {
             [low.min(angle), high.max(angle)]
         });
-        match low < -WIDE || high > WIDE {
-            true => vec![[low.min(-180.0), high.max(180.0)], ATTACHED],
-            false => vec![[low.min(-5.0), high.max(5.0)]],
+        if low < -WIDE || high > WIDE {
+            vec![[low.min(-180.0), high.max(180.0)], ATTACHED]
+        } else {
+            vec![[low.min(-5.0), high.max(5.0)]]
         }
     }
 

@@ -133,9 +133,10 @@ fn angles(data: &AirfoilData) -> String {
         all().fold(f64::INFINITY, f64::min),
         all().fold(f64::NEG_INFINITY, f64::max),
     ];
-    match low <= high {
-        true => format!("{} to {} deg", degrees(low), degrees(high)),
-        false => "none".to_owned(),
+    if low <= high {
+        format!("{} to {} deg", degrees(low), degrees(high))
+    } else {
+        "none".to_owned()
     }
 }
 

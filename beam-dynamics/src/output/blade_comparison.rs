@@ -61,18 +61,22 @@ fn row(one: &BladeDifference) -> Vec<String> {
         "rad" => (180.0 / std::f64::consts::PI, "deg"),
         unit => (1.0, unit),
     };
-    let number = |value: f64| match value == 0.0 {
-        true => "0".to_owned(),
-        false => format!("{:.5e}", value * factor),
+    let number = |value: f64| {
+        if value == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{:.5e}", value * factor)
+        }
     };
     vec![
         format!("  {}", one.name),
         number(one.a),
         number(one.b),
         unit.to_owned(),
-        match one.relative == 0.0 {
-            true => "0".to_owned(),
-            false => format!("{:.1e}", one.relative),
+        if one.relative == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{:.1e}", one.relative)
         },
         one.at.map_or(String::new(), |at| format!("{at:.4}")),
     ]

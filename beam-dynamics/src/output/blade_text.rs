@@ -192,9 +192,10 @@ fn definite_words(blade: &Blade) -> String {
     let all = all.map(|station| (least(station), station.arc_length));
     let worst = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0.0));
     let (value, position) = worst;
-    let verdict = match value > 0.0 {
-        true => "positive definite at all stations",
-        false => "NOT positive definite",
+    let verdict = if value > 0.0 {
+        "positive definite at all stations"
+    } else {
+        "NOT positive definite"
     };
     format!(
         "{verdict}; least eigenvalue, scaled to a unit diagonal, {value:.3e} at {position:.4} m"

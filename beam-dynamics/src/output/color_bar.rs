@@ -33,9 +33,10 @@ impl ColorBar {
         let least = 1e-3 * low.abs().max(high.abs()).max(1e-12);
         let middle = 0.5 * (low + high);
         Some(Self {
-            range: match high - low < least {
-                true => [middle - least, middle + least],
-                false => [low, high],
+            range: if high - low < least {
+                [middle - least, middle + least]
+            } else {
+                [low, high]
             },
         })
     }

@@ -27,9 +27,10 @@ fn fixed(table: &FrequencyTable) -> Option<FixedTable> {
 /// rotors and shafts, the comparison with the measurements if there are
 /// any, and the conventions.
 pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
-    let comparison = match measured.points.is_empty() {
-        true => String::new(),
-        false => comparison_text(measured, table) + "\n",
+    let comparison = if measured.points.is_empty() {
+        String::new()
+    } else {
+        comparison_text(measured, table) + "\n"
     };
     let seen = fixed(table).map_or_else(String::new, |fixed| fixed_text(table, &fixed));
     format!(

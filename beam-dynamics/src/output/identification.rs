@@ -25,10 +25,7 @@ pub fn identification_text(all: &[Identification]) -> String {
             "{}: \"{}\" from {from} s to {to} s, {} samples\n",
             one.file, one.column, one.samples
         ));
-        let unit = match one.unit.is_empty() {
-            true => "-",
-            false => &one.unit,
-        };
+        let unit = if one.unit.is_empty() { "-" } else { &one.unit };
         let amplitude = format!("amplitude [{unit}]");
         let heading = [
             "method",

@@ -18,12 +18,13 @@ pub(super) fn csv_text(heading: &str, rows: impl IntoIterator<Item = Vec<String>
 
 /// A heading of `names`, of which those with a comma or a quote are quoted.
 pub(super) fn heading<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    let names = names
-        .into_iter()
-        .map(|name| match name.contains([',', '"', '\n']) {
-            true => format!("\"{}\"", name.replace('"', "\"\"")),
-            false => name.to_owned(),
-        });
+    let names = names.into_iter().map(|name| {
+        if name.contains([',', '"', '\n']) {
+            format!("\"{}\"", name.replace('"', "\"\""))
+        } else {
+            name.to_owned()
+        }
+    });
     names.collect::<Vec<_>>().join(",")
 }
 

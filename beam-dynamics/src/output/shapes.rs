@@ -48,9 +48,12 @@ fn member_motion(
             (number, points, largest)
         });
     // The first of equal ones, as blades at rest.
-    let most = motions.reduce(|a, b| match b.2.norm() > (1.0 + 1e-6) * a.2.norm() {
-        true => b,
-        false => a,
+    let most = motions.reduce(|a, b| {
+        if b.2.norm() > (1.0 + 1e-6) * a.2.norm() {
+            b
+        } else {
+            a
+        }
     });
     let (member, mut points, largest) = most.filter(|most| most.2.norm() > 0.0)?;
     for value in points.iter_mut().flat_map(|point| &mut point.1) {

@@ -22,9 +22,10 @@ pub(super) fn changes(table: &FrequencyTable) -> Vec<String> {
         let runs: Vec<_> = others
             .map(|(kind, ends)| {
                 let [first, last] = ends.map(|k| short_number(table.speeds[k] * RPM, 6));
-                let speeds = match first == last {
-                    true => format!("at {first} rpm"),
-                    false => format!("from {first} to {last} rpm"),
+                let speeds = if first == last {
+                    format!("at {first} rpm")
+                } else {
+                    format!("from {first} to {last} rpm")
                 };
                 format!("{} {speeds}", kind.word_in(words))
             })

@@ -46,9 +46,10 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
 
 /// Growth [1/s], zero where the damping ratio is round-off.
 fn growth(point: &ModePoint) -> f64 {
-    match cleared(point.damping_ratio) == 0.0 {
-        true => 0.0,
-        false => point.growth,
+    if cleared(point.damping_ratio) == 0.0 {
+        0.0
+    } else {
+        point.growth
     }
 }
 

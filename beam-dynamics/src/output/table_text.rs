@@ -63,9 +63,12 @@ pub fn convention(table: &FrequencyTable) -> String {
         true => WHIRL,
         false => "",
     };
-    let of_kind = |kind, text| match table.branches.iter().any(|branch| branch.kind == kind) {
-        true => text,
-        false => "",
+    let of_kind = |kind, text| {
+        if table.branches.iter().any(|branch| branch.kind == kind) {
+            text
+        } else {
+            ""
+        }
     };
     let lateral = of_kind(ModeKind::Lateral, LATERAL);
     let rigid = of_kind(ModeKind::Rigid, RIGID);
@@ -174,9 +177,10 @@ fn remarks(table: &FrequencyTable) -> String {
              residual at most {residual:.1e}\n"
         ));
     }
-    match text.is_empty() {
-        true => text,
-        false => format!("Remarks\n{text}"),
+    if text.is_empty() {
+        text
+    } else {
+        format!("Remarks\n{text}")
     }
 }
 

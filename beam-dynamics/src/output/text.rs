@@ -14,10 +14,7 @@ const ROUND_OFF: f64 = 1e-12;
 
 /// A damping ratio, or zero if it is round-off [-].
 pub(super) fn cleared(ratio: f64) -> f64 {
-    match ratio.abs() > ROUND_OFF {
-        true => ratio,
-        false => 0.0,
-    }
+    if ratio.abs() > ROUND_OFF { ratio } else { 0.0 }
 }
 
 /// A share with four decimals, zero without a sign.

@@ -149,9 +149,10 @@ impl Arrangement {
             let panel = extent.panel(view, [left, top], length.map(|length| scale * length));
             let end = [panel.right + MARGINS[1], panel.bottom + MARGINS[3]];
             size = [size[0].max(end[0]), size[1].max(end[1])];
-            corner = match is_beside {
-                true => [end[0], 0.0],
-                false => [0.0, end[1]],
+            corner = if is_beside {
+                [end[0], 0.0]
+            } else {
+                [0.0, end[1]]
             };
             panels.push((view, panel));
         }

@@ -1,4 +1,4 @@
-//! `identify`: the modes of a table, and what is reported without any.
+//! `identify`: the modes of a table, and the message without any.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;

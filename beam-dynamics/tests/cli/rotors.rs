@@ -1,4 +1,4 @@
-//! `expand`: a rotor, the cards for which it stands, and equal results.
+//! `expand`: a rotor, the cards to which it expands, and equal results.
 
 use super::Folder;
 

@@ -233,7 +233,7 @@ of = \"b/root\"
     );
 }
 
-// One card for three blades gives what three cards give.
+// One card for three blades gives the model of three cards.
 #[test]
 fn a_load_of_a_card_acts_on_all_its_blades() {
     let folder = Folder::new();

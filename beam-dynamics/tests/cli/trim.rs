@@ -52,6 +52,51 @@ fn controls_of_a_sweep() {
     assert_eq!(folder.read("results/mass.trim.csv").lines().count(), 5);
 }
 
+/// The points of the results, by their parameter, status and control.
+fn points(folder: &Folder) -> Vec<(Option<f64>, String, Option<f64>)> {
+    let file = folder.read("results/mass.trim.json");
+    let file: serde_json::Value = serde_json::from_str(&file).unwrap();
+    assert_eq!(file["format"], "helicoid trim");
+    let points = file["points"].as_array().unwrap().iter();
+    let point = |point: &serde_json::Value| {
+        let status = point["status"].as_str().unwrap().to_owned();
+        (
+            point["at"].as_f64(),
+            status,
+            point["controls"]["pull"].as_f64(),
+        )
+    };
+    points.map(point).collect()
+}
+
+// F = k (x - 1), to the residual of the equilibrium.
+#[test]
+fn results_for_other_programs() {
+    let folder = Folder::new();
+    folder.write("mass.dynamics.toml", &model(TRIM));
+    let run = folder.run(&["trim", "mass.dynamics.toml", "--json"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.contains("mass.trim.json"), "{}", run.out);
+    let found = points(&folder);
+    let [(None, status, Some(pull))] = found.as_slice() else {
+        panic!("{found:?}");
+    };
+    assert_eq!(status, "met");
+    assert!((pull - 450.0).abs() < 1e-5, "{pull}");
+    // A sweep whose last point is beyond the bound of the force.
+    let sweep = "[trim.sweep]\nparameter = \"place\"\nvalues = [1.5, 2, 3]\n";
+    folder.write("mass.dynamics.toml", &model(&format!("{TRIM}{sweep}")));
+    let run = folder.run(&["trim", "mass.dynamics.toml", "--json"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    let found = points(&folder);
+    let named: Vec<_> = found.iter().map(|one| (one.0, one.1.as_str())).collect();
+    let expected = [(1.5, "met"), (2.0, "met"), (3.0, "not met")];
+    assert_eq!(named, expected.map(|(at, status)| (Some(at), status)));
+    // Without the option the file is removed.
+    folder.run(&["trim", "mass.dynamics.toml"]);
+    assert!(!folder.path("results/mass.trim.json").exists());
+}
+
 #[test]
 fn a_single_trim_and_wrong_files() {
     let folder = Folder::new();

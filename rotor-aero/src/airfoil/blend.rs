@@ -55,7 +55,7 @@ pub enum BlendProblem {
     /// A position is out of range.
     #[error("no airfoil at {at}: the airfoils are from {from} to {to}")]
     OutOfRange {
-        /// Position asked for \[unit of the positions\].
+        /// Requested position \[unit of the positions\].
         at: f64,
         /// First position \[unit of the positions\].
         from: f64,

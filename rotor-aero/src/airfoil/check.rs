@@ -83,12 +83,13 @@ pub(super) fn checked(data: &AirfoilData) -> Result<Checked, Vec<AirfoilProblem>
         let airfoil = data.name.clone();
         found.remarks.push(AirfoilRemark::NoMoment { airfoil });
     }
-    match found.problems.is_empty() {
-        true => Ok(Checked {
+    if found.problems.is_empty() {
+        Ok(Checked {
             data: checked,
             remarks: found.remarks,
-        }),
-        false => Err(found.problems),
+        })
+    } else {
+        Err(found.problems)
     }
 }
 

@@ -119,9 +119,12 @@ impl AirfoilData {
         Ok([
             Some(ends.complete(lift, |angle| ends.at(angle)[0])),
             Some(ends.complete(drag, |angle| ends.at(angle)[1])),
-            moment.map(|curve| match is_complete(curve) {
-                true => kept(curve),
-                false => ends.complete(curve, |angle| ends.moment(curve, angle)),
+            moment.map(|curve| {
+                if is_complete(curve) {
+                    kept(curve)
+                } else {
+                    ends.complete(curve, |angle| ends.moment(curve, angle))
+                }
             }),
         ])
     }

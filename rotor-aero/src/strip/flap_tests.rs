@@ -84,9 +84,10 @@ fn tables_are_linear_between_their_deflections() {
     for k in -30..=30 {
         let deflection = (0.5 * f64::from(k)).to_radians();
         let inside = deflection.clamp(-ten, ten);
-        let [a, b, c] = match k < 0 {
-            true => [2.0, -0.1, -0.4],
-            false => [3.0, 0.2, -0.6],
+        let [a, b, c] = if k < 0 {
+            [2.0, -0.1, -0.4]
+        } else {
+            [3.0, 0.2, -0.6]
         };
         let expected = [lift + a * inside, b * inside, moment + c * inside];
         for (found, expected) in coefficients(&strip, deflection).iter().zip(expected) {

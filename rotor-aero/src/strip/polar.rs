@@ -60,23 +60,26 @@ impl Polar for StripPolar {
     }
 
     fn drag<T: Real>(&self, flow: &Flow<T>) -> T {
-        match is_alone::<T>() {
-            true => T::from(self.section.drag(&values(flow))),
-            false => along(self.section.drag_slopes(&values(flow)), flow),
+        if is_alone::<T>() {
+            T::from(self.section.drag(&values(flow)))
+        } else {
+            along(self.section.drag_slopes(&values(flow)), flow)
         }
     }
 
     fn attached<T: Real>(&self, alpha: T) -> T {
-        match is_alone::<T>() {
-            true => self.separation.attached(alpha),
-            false => of_angle(|alpha| self.separation.attached(alpha), alpha),
+        if is_alone::<T>() {
+            self.separation.attached(alpha)
+        } else {
+            of_angle(|alpha| self.separation.attached(alpha), alpha)
         }
     }
 
     fn separated_lift<T: Real>(&self, alpha: T) -> T {
-        let all = match is_alone::<T>() {
-            true => self.separation.separated_lift(alpha),
-            false => of_angle(|alpha| self.separation.separated_lift(alpha), alpha),
+        let all = if is_alone::<T>() {
+            self.separation.separated_lift(alpha)
+        } else {
+            of_angle(|alpha| self.separation.separated_lift(alpha), alpha)
         };
         all * self.lift
     }

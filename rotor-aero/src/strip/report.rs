@@ -118,12 +118,13 @@ impl Strip {
         let square = x * x + y * y;
         let moves = square.re() > 0.0;
         let speed = if moves { square.sqrt() } else { zero };
-        let lift_and_drag = match moves {
-            true => [
+        let lift_and_drag = if moves {
+            [
                 (normal * x - along * y) / speed,
                 -(along * x + normal * y) / speed,
-            ],
-            false => [zero; 2],
+            ]
+        } else {
+            [zero; 2]
         };
         let pressure = square * (0.5 * air.still.density * self.chord);
         let over = |load: T, by: T| if by.re() > 0.0 { load / by } else { zero };

@@ -64,9 +64,10 @@ impl<'a, T: Real> Ring<'a, T> {
     pub fn new(inflow: &'a AnnularInflow, density: f64, flow: RingFlow<T>) -> Self {
         let [radius, tip_radius] = flow.radii;
         let least = tip_radius * INNERMOST;
-        let radius = match radius.re() > least.re() {
-            true => radius,
-            false => least,
+        let radius = if radius.re() > least.re() {
+            radius
+        } else {
+            least
         };
         let scale = radius.recip() * (inflow.blades as f64 / (4.0 * PI * density));
         Self {
@@ -97,9 +98,10 @@ impl<'a, T: Real> Ring<'a, T> {
                 sine,
             );
         }
-        match loss.re() < LOSS_FLOOR {
-            true => T::from(LOSS_FLOOR),
-            false => loss,
+        if loss.re() < LOSS_FLOOR {
+            T::from(LOSS_FLOOR)
+        } else {
+            loss
         }
     }
 
@@ -112,9 +114,10 @@ impl<'a, T: Real> Ring<'a, T> {
         let options = &self.inflow.options;
         let mass = mass_flow_by(options.high_induction, &self.ambient, u, loss);
         let axial = self.load[0] / loss;
-        let swirl = match options.swirl {
-            true => self.load[1] / loss,
-            false => T::from(0.0),
+        let swirl = if options.swirl {
+            self.load[1] / loss
+        } else {
+            T::from(0.0)
         };
         let scale = match self.inflow.wake {
             Wake::Equilibrium => {
@@ -149,14 +152,16 @@ impl<'a, T: Real> Ring<'a, T> {
             TimeScale::Turbine | TimeScale::Frozen => axial,
             TimeScale::Hover { .. } => axial + u,
         };
-        let induction = match axial.re() == 0.0 {
-            true => T::from(0.0),
-            false => -u / axial,
+        let induction = if axial.re() == 0.0 {
+            T::from(0.0)
+        } else {
+            -u / axial
         };
         // The radius of the tip is an unknown, whose first guess may be zero.
-        let tip = match self.tip_radius.re() > self.radius.re() {
-            true => self.tip_radius,
-            false => self.radius,
+        let tip = if self.tip_radius.re() > self.radius.re() {
+            self.tip_radius
+        } else {
+            self.radius
         };
         scale.constants(tip, self.radius / tip, speed, induction)
     }

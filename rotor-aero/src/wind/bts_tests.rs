@@ -35,8 +35,8 @@ fn compare(plane: &[f64], index: usize, point: &serde_json::Value) {
     }
 }
 
-/// The text of a box, by which restarts recognize the wind, does not depend on what was read, nor
-/// on the folder.
+/// The text of a box, by which restarts recognize the wind, does not depend on the planes in
+/// memory, nor on the folder.
 #[test]
 fn the_text_of_a_box_is_the_same_at_all_times() {
     let path = folder().join("own.bts");

@@ -72,10 +72,7 @@ impl WindFrame {
         let directions = [*velocity, Vector3::x(), Vector3::y()];
         let frames = directions.map(|downwind| Self::new(origin, downwind, up));
         let [own, x, y] = frames;
-        match is_finite {
-            true => own.or(x).or(y),
-            false => own,
-        }
+        if is_finite { own.or(x).or(y) } else { own }
     }
 
     /// Components in these axes of a vector of the inertial frame.

@@ -127,7 +127,7 @@ impl Planes {
     }
 }
 
-/// Files and format, without what is kept: the text identifies the wind of a model.
+/// Files and format, without the planes in memory: the text identifies the wind of a model.
 impl Debug for FilePlanes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let files = self.lock(|state| {

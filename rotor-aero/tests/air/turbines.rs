@@ -220,7 +220,7 @@ fn sheared(speed: f64, rpm: f64, pitch_deg: f64) -> Performance {
 }
 
 /// The rigid IEA 15 MW turbine, tabulated (CCBlade of WISDEM): power 1.5 % above 5.8 m/s, thrust
-/// .7 % above 4.5 m/s. An independent script, asked within .1 %, is met within .1 % in thrust and, from
+/// .7 % above 4.5 m/s. An independent script, required within .1 %, is met within .1 % in thrust and, from
 /// 5.1 to 19.5 m/s, in power; the power at 25 m/s is .17 % lower. A difference of 2e-4 of the wind has
 /// this effect: prebent blades lean by .1 degrees more from station to station, and the lean at a station
 /// is the mean of both pieces here. With the lean of the piece before it all differences are below 6e-4.

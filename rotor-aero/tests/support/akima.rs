@@ -49,9 +49,10 @@ fn slopes(x: &[f64], f: &[f64]) -> Vec<f64> {
     secants.extend([1.0, 2.0].map(|count| beyond(inner[last], inner[last - 1], count)));
     let slope = |m: &[f64]| {
         let [before, after] = [(m[1] - m[0]).abs(), (m[3] - m[2]).abs()];
-        match before + after > 0.0 {
-            true => (after * m[1] + before * m[2]) / (before + after),
-            false => 0.5 * (m[1] + m[2]),
+        if before + after > 0.0 {
+            (after * m[1] + before * m[2]) / (before + after)
+        } else {
+            0.5 * (m[1] + m[2])
         }
     };
     secants.windows(4).map(slope).collect()

@@ -165,7 +165,7 @@ fn mistakes_are_reported_with_their_lines() {
     }
 }
 
-/// A turbine file of windIO stands where a layup file stands, and becomes one.
+/// A turbine file of windIO is read as a layup file, and written as one.
 #[test]
 fn a_turbine_file_becomes_a_layup_file() {
     let workplace = Workplace::new();

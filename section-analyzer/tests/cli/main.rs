@@ -1,4 +1,4 @@
-//! The real program on real files: what it prints, what it writes, its exit code.
+//! The real program on real files: its output, its files, its exit codes.
 
 // A failed unwrap fails the test, with its line.
 #![allow(clippy::unwrap_used)]

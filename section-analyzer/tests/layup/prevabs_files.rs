@@ -218,7 +218,7 @@ fn damaged(text: &str, random: &mut Random) -> String {
     text
 }
 
-/// Files with one to three random changes are read, or refused with a place and a remedy; a
+/// Files with one to three random changes are read, or refused with a location and a remedy; a
 /// section that is read is meshed or refused with its line.
 #[test]
 fn damaged_files_are_read_or_refused() {

@@ -32,9 +32,10 @@ impl Blade {
             let sides = [Side::Inner, Side::Outer].map(|side| self.at(position, side).0);
             let [inner, outer] = sides.map(|k| section::least_eigenvalue(&k));
             // NaN is treated as the smallest.
-            let value = match inner <= outer || inner.is_nan() {
-                true => inner,
-                false => outer,
+            let value = if inner <= outer || inner.is_nan() {
+                inner
+            } else {
+                outer
             };
             let before = known.iter().rev().find(|s| **s <= position);
             let behind = known.iter().find(|s| **s >= position);
@@ -172,9 +173,10 @@ impl Blade {
         let (mut bad, mut good) = (0.0, 1.0);
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (bad + good);
-            match is_good(middle) {
-                true => good = middle,
-                false => bad = middle,
+            if is_good(middle) {
+                good = middle
+            } else {
+                bad = middle
             }
         }
         position(good)

@@ -101,12 +101,13 @@ impl Blade {
                 let points = blade.line.arc_lengths();
                 part(blade, blade.positions()).chain(part(blade, points))
             })
-            .flat_map(
-                |part| match jumps.iter().any(|jump| (jump - part).abs() < ASIDE) {
-                    true => vec![part - ASIDE, part + ASIDE],
-                    false => vec![part],
-                },
-            )
+            .flat_map(|part| {
+                if jumps.iter().any(|jump| (jump - part).abs() < ASIDE) {
+                    vec![part - ASIDE, part + ASIDE]
+                } else {
+                    vec![part]
+                }
+            })
             .filter(|part| part.is_finite())
             .map(|part| part.clamp(0.0, 1.0))
             .collect();
@@ -168,9 +169,10 @@ fn compare_matrices(
 ) -> Vec<BladeDifference> {
     let pairs = (0..6).flat_map(|i| (i..6).map(move |j| (i, j)));
     let rows = pairs.filter_map(|(i, j)| {
-        let name = match i == j {
-            true => format!("{kind} {}", COMPONENTS[i]),
-            false => format!("{kind} {}, {}", COMPONENTS[i], COMPONENTS[j]),
+        let name = if i == j {
+            format!("{kind} {}", COMPONENTS[i])
+        } else {
+            format!("{kind} {}, {}", COMPONENTS[i], COMPONENTS[j])
         };
         let unit = units[usize::from(i > 2) + usize::from(j > 2)];
         let rows = matrices.iter().map(|(s, a, b)| {

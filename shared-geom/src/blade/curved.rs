@@ -157,9 +157,10 @@ impl Blade {
             positions.push(span.to);
             for pair in positions.windows(2) {
                 let position = 0.5 * (pair[0] + pair[1]);
-                let part = match span.stations[0] == span.stations[1] {
-                    true => 0.0,
-                    false => (position - span.from) / (span.to - span.from),
+                let part = if span.stations[0] == span.stations[1] {
+                    0.0
+                } else {
+                    (position - span.from) / (span.to - span.from)
                 };
                 let section = InitialCurvature {
                     curvature: ends[0].curvature.lerp(&ends[1].curvature, part),

@@ -130,13 +130,12 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
     let file = root.document().file();
     let name = root.get(&NAME);
     let frame = Frame::read(root);
-    let reference_point = match !root.has(&REFERENCE_POINT) && stations::are_files(root) {
+    let reference_point = if !root.has(&REFERENCE_POINT) && stations::are_files(root) {
         // Property files have the origin of their axes.
-        true => {
-            sources.remark(ON_LINE.to_owned());
-            Some(Vector2::zeros())
-        }
-        false => frame::reference_point(root, frame.as_ref()),
+        sources.remark(ON_LINE.to_owned());
+        Some(Vector2::zeros())
+    } else {
+        frame::reference_point(root, frame.as_ref())
     };
     let interpolation = root.get(&INTERPOLATION);
     let line = root.nested(&LINE, |table| line::read(table, frame.as_ref(), sources));

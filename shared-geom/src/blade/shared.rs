@@ -74,9 +74,10 @@ fn of_kind(kind: &PropertyProblem, placed: &[PlacedProblem], stations: usize) ->
     let same: Vec<_> = same.collect();
     BladeProblem::Stations {
         stations: names(&same, stations),
-        differ: match same.iter().all(|(_, found)| found == kind) {
-            true => String::new(),
-            false => format!(" (station {})", same.first().map_or(0, |one| one.0)),
+        differ: if same.iter().all(|(_, found)| found == kind) {
+            String::new()
+        } else {
+            format!(" (station {})", same.first().map_or(0, |one| one.0))
         },
         problem: kind.clone(),
     }

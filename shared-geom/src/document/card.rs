@@ -1,6 +1,6 @@
 //! Cards that a program adds to a document, and their text.
 //!
-//! A card that stands for others is read first; the cards that it stands for are appended, with
+//! A card that expands to others is read first; the cards to which it expands are appended, with
 //! its line, so that problems of them are reported there. The same cards can be written as text.
 
 use std::fmt::{Display, Formatter, Result as Shown};
@@ -50,6 +50,13 @@ impl Content {
         Self::new(Kind::Table(
             entries.map(|(key, value)| entry(key, value)).collect(),
         ))
+    }
+
+    /// The value, whose problems are reported at `line` and not at the line of its card; parts
+    /// with a line keep it.
+    pub fn on_line(mut self, line: usize) -> Self {
+        set_line(&mut self.0, line);
+        self
     }
 
     /// A table with a further key; other values are unchanged.
@@ -186,9 +193,10 @@ fn set_line(value: &mut Value, line: usize) {
 impl Display for Card {
     fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
         let path: Vec<_> = self.path.iter().map(|key| key_text(key)).collect();
-        match self.is_listed {
-            true => writeln!(f, "[[{}]]", path.join("."))?,
-            false => writeln!(f, "[{}]", path.join("."))?,
+        if self.is_listed {
+            writeln!(f, "[[{}]]", path.join("."))?
+        } else {
+            writeln!(f, "[{}]", path.join("."))?
         }
         for entry in &self.entries {
             writeln!(f, "{} = {}", key_text(&entry.key), text(&entry.value))?;
@@ -199,9 +207,10 @@ impl Display for Card {
 
 fn key_text(key: &str) -> String {
     let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
-    match !key.is_empty() && key.chars().all(is_bare) {
-        true => key.to_owned(),
-        false => quoted(key),
+    if !key.is_empty() && key.chars().all(is_bare) {
+        key.to_owned()
+    } else {
+        quoted(key)
     }
 }
 

@@ -82,9 +82,10 @@ impl<'a> Table<'a> {
 
     /// The path of `key`: `blade.piece` of the pieces of a blade.
     fn path_of(&self, key: &str) -> String {
-        match self.path.is_empty() {
-            true => key.to_owned(),
-            false => format!("{}.{key}", self.path),
+        if self.path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.path)
         }
     }
 

@@ -182,9 +182,10 @@ fn from_file(table: &Table<'_>, written: &str) -> Option<(Option<String>, Vec<Ro
 
 /// The cells of a line: between commas, or without any between blanks.
 fn cells(line: &str) -> Vec<&str> {
-    match line.contains(',') {
-        true => line.split(',').map(str::trim).collect(),
-        false => line.split_whitespace().collect(),
+    if line.contains(',') {
+        line.split(',').map(str::trim).collect()
+    } else {
+        line.split_whitespace().collect()
     }
 }
 

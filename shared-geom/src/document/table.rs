@@ -334,9 +334,10 @@ impl<'a> Table<'a> {
         dimension: Dimension,
         expected: &str,
     ) -> Option<[f64; N]> {
-        let found = match self.is_list(key) {
-            true => self.quantities(key, dimension)?.try_into().ok(),
-            false => None,
+        let found = if self.is_list(key) {
+            self.quantities(key, dimension)?.try_into().ok()
+        } else {
+            None
         };
         if found.is_none() {
             self.wrong(key, expected);

@@ -54,9 +54,10 @@ fn shown(text: &str) -> String {
     let mut letters = text.chars();
     let mut shown = String::new();
     for letter in letters.by_ref().take(LETTERS_SHOWN) {
-        match letter.is_control() {
-            true => shown.extend(letter.escape_default()),
-            false => shown.push(letter),
+        if letter.is_control() {
+            shown.extend(letter.escape_default())
+        } else {
+            shown.push(letter)
         }
     }
     if letters.next().is_some() {

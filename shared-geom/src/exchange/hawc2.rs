@@ -267,9 +267,10 @@ fn stretch(end: f64, length: f64, remarks: &mut Vec<String>) -> f64 {
         ));
         return length / end;
     }
-    let held = match off > 0.0 {
-        true => "rows beyond it are not used",
-        false => "the last row holds to the end of the line",
+    let held = if off > 0.0 {
+        "rows beyond it are not used"
+    } else {
+        "the last row holds to the end of the line"
     };
     remarks.push(format!("{what}: {held}"));
     1.0

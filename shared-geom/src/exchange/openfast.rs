@@ -32,9 +32,10 @@ pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading
     let path = companion(text, names, file, &mut problems);
     let (is_beamdyn, path) = problems.finish(is_beamdyn.zip(path))?;
     let inner = read_text(&path)?;
-    let (module, mut reading) = match is_beamdyn {
-        true => ("BeamDyn", beamdyn::read(&inner, &path, options)?),
-        false => ("ElastoDyn", elastodyn::read(&inner, &path, options)?),
+    let (module, mut reading) = if is_beamdyn {
+        ("BeamDyn", beamdyn::read(&inner, &path, options)?)
+    } else {
+        ("ElastoDyn", elastodyn::read(&inner, &path, options)?)
     };
     reading.remarks.insert(
         0,

@@ -79,7 +79,7 @@ pub enum ExchangeProblem {
         /// The value of the previous station.
         before: f64,
     },
-    /// Anything else: what was found, what was expected, and the remedy.
+    /// Anything else: found and expected values, and the remedy.
     #[error("{what}: found {found}, expected {expected}")]
     Other {
         /// The wrong part.

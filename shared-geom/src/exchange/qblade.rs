@@ -244,9 +244,10 @@ impl Sections {
         let before = next.saturating_sub(1);
         let (from, to) = (self.arcs[before], self.arcs[next]);
         let (a, b) = (self.chord[before], self.chord[next]);
-        match to > from {
-            true => a + (b - a) * ((at - from) / (to - from)).clamp(0.0, 1.0),
-            false => b,
+        if to > from {
+            a + (b - a) * ((at - from) / (to - from)).clamp(0.0, 1.0)
+        } else {
+            b
         }
     }
 }

@@ -412,9 +412,10 @@ fn numbers_that_many_stations_share_are_one_problem() {
         if i >= 13 && numbers.len() == 1 {
             of_station = Some(i);
         }
-        match of_station == Some(i.wrapping_sub(1)) && numbers.len() == 6 {
-            true => line.replacen(numbers[0], "1e150", 1),
-            false => line.to_owned(),
+        if of_station == Some(i.wrapping_sub(1)) && numbers.len() == 6 {
+            line.replacen(numbers[0], "1e150", 1)
+        } else {
+            line.to_owned()
         }
     });
     let changed: Vec<_> = lines.collect();

@@ -103,9 +103,10 @@ fn sampled(line: &ReferenceLine) -> (ReferenceLine, f64) {
     };
     let points: Vec<_> = (0..=pieces).map(point).collect();
     let mut steps = points.windows(2);
-    let course = match steps.all(|pair| pair[1].position.x > pair[0].position.x) {
-        true => Course::Spline,
-        false => Course::Polyline,
+    let course = if steps.all(|pair| pair[1].position.x > pair[0].position.x) {
+        Course::Spline
+    } else {
+        Course::Polyline
     };
     let through = ReferenceLine::through(points, course);
     let other = through.curve();

@@ -235,9 +235,10 @@ fn files_are_recognized_by_their_content() {
         (Format::Csv, Format::Csv),
     ] {
         for (name, text) in write(&blade, format, "a").unwrap().files {
-            let expected = match name.to_string_lossy().ends_with(".line.csv") {
-                true => Format::Csv,
-                false => seen,
+            let expected = if name.to_string_lossy().ends_with(".line.csv") {
+                Format::Csv
+            } else {
+                seen
             };
             assert_eq!(recognize(&text), Some(expected), "{name:?}");
         }

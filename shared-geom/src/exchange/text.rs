@@ -43,9 +43,10 @@ impl<'a> Line<'a> {
         let words: Vec<_> = words.collect();
         if let Some(expected) = expected.filter(|&expected| expected != words.len()) {
             let (what, found) = (what.to_owned(), words.len());
-            let separator = match self.text.contains(',') {
-                true => "commas",
-                false => "blanks",
+            let separator = if self.text.contains(',') {
+                "commas"
+            } else {
+                "blanks"
             };
             problems.push(
                 self.number,

@@ -149,9 +149,10 @@ impl Function {
         let zero = zero.map(|jet| -jet.value / jet.first);
         zero.or_else(|| {
             let stair = self.stair(args).filter(straight)?;
-            let end = match stair.first > 0.0 {
-                true => stair.value.floor() + 1.0,
-                false => stair.value.floor(),
+            let end = if stair.first > 0.0 {
+                stair.value.floor() + 1.0
+            } else {
+                stair.value.floor()
             };
             Some((end - stair.value) / stair.first)
         })
@@ -162,10 +163,13 @@ impl Function {
         match *args {
             [a] => self.of_one(a),
             [a, b] => self.of_two(a, b),
-            [condition, a, b] => match condition.value != 0.0 {
-                true => a,
-                false => b,
-            },
+            [condition, a, b] => {
+                if condition.value != 0.0 {
+                    a
+                } else {
+                    b
+                }
+            }
             _ => Jet::constant(f64::NAN),
         }
     }
@@ -217,10 +221,13 @@ impl Function {
             Self::Divide => a / b,
             Self::Power => a.power(b),
             Self::Atan2 => a.atan2(b),
-            Self::Hypot => match a.value == 0.0 && b.value == 0.0 {
-                true => Jet::constant(0.0),
-                false => (a * a + b * b).sqrt(),
-            },
+            Self::Hypot => {
+                if a.value == 0.0 && b.value == 0.0 {
+                    Jet::constant(0.0)
+                } else {
+                    (a * a + b * b).sqrt()
+                }
+            }
             Self::Mod => a - b * Jet::constant((a.value / b.value).floor()),
             Self::Min if order == Ordering::Greater => b,
             Self::Max if order == Ordering::Less => b,

@@ -81,16 +81,20 @@ impl Jet {
     /// One of two powers: `self^exponent`.
     pub(super) fn power(self, exponent: Self) -> Self {
         if !exponent.is_constant() {
-            return match self.value == 0.0 && self.is_constant() {
-                true => Self::constant(0.0_f64.powf(exponent.value)),
-                false => (exponent * self.ln()).exp(),
+            return if self.value == 0.0 && self.is_constant() {
+                Self::constant(0.0_f64.powf(exponent.value))
+            } else {
+                (exponent * self.ln()).exp()
             };
         }
         let (a, n) = (self.value, exponent.value);
         // A factor of zero makes a derivative zero, even if the power is infinite.
-        let term = |factor: f64, power: f64| match factor == 0.0 {
-            true => 0.0,
-            false => factor * a.powf(power),
+        let term = |factor: f64, power: f64| {
+            if factor == 0.0 {
+                0.0
+            } else {
+                factor * a.powf(power)
+            }
         };
         self.chain(a.powf(n), term(n, n - 1.0), term(n * (n - 1.0), n - 2.0))
     }

@@ -273,9 +273,10 @@ impl Reader<'_> {
             self.depth -= 1;
             self.push(Operation::Apply(Function::Power))?;
         }
-        match negative {
-            true => self.push(Operation::Apply(Function::Negative)),
-            false => Ok(()),
+        if negative {
+            self.push(Operation::Apply(Function::Negative))
+        } else {
+            Ok(())
         }
     }
 
@@ -293,9 +294,10 @@ impl Reader<'_> {
     }
 
     fn close(&mut self, expected: &'static str) -> Read {
-        match self.take(")") {
-            true => Ok(()),
-            false => Err(self.unexpected(expected)),
+        if self.take(")") {
+            Ok(())
+        } else {
+            Err(self.unexpected(expected))
         }
     }
 

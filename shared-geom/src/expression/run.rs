@@ -99,9 +99,10 @@ fn bracket(
 ) -> Option<[f64; 2]> {
     let from = is_behind(position);
     for _ in 0..DOUBLINGS {
-        let end = match from {
-            true => (position - width).max(now),
-            false => position + width,
+        let end = if from {
+            (position - width).max(now)
+        } else {
+            position + width
         };
         if is_behind(end) != from {
             return Some(if from {
@@ -122,9 +123,10 @@ fn first_behind([mut before, mut behind]: [f64; 2], is_behind: &impl Fn(f64) -> 
         if middle <= before || middle >= behind {
             break;
         }
-        match is_behind(middle) {
-            true => behind = middle,
-            false => before = middle,
+        if is_behind(middle) {
+            behind = middle
+        } else {
+            before = middle
         }
     }
     behind

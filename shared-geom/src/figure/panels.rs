@@ -86,9 +86,10 @@ impl PanelPlot {
             low = low.min(*x);
             high = high.max(*x);
         }
-        match low < high {
-            true => [low, high],
-            false => range([low], 0.0),
+        if low < high {
+            [low, high]
+        } else {
+            range([low], 0.0)
         }
     }
 }

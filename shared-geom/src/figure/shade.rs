@@ -65,9 +65,10 @@ impl ColorTable {
             .fold(none, |(low, high), value| (low.min(value), high.max(value)));
         let step = (high - low) / Self::STEPS as f64;
         // one value, or none, has one color
-        let (density, last) = match step > 0.0 && (1.0 / step).is_finite() {
-            true => (1.0 / step, Self::STEPS),
-            false => (0.0, 0),
+        let (density, last) = if step > 0.0 && (1.0 / step).is_finite() {
+            (1.0 / step, Self::STEPS)
+        } else {
+            (0.0, 0)
         };
         let colors = (0..=last).map(|k| color(low + step * k as f64));
         Self {

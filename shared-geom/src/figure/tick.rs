@@ -59,9 +59,10 @@ impl Ticks {
     pub fn labeled(&self) -> impl Iterator<Item = (f64, String)> + '_ {
         let largest = (self.first.abs().max(self.last.abs()) * self.mantissa).max(1);
         let digits_before = self.power + (largest as f64).log10().floor() as i32;
-        let power = match (-3..6).contains(&digits_before) {
-            true => 0,
-            false => 3 * digits_before.div_euclid(3),
+        let power = if (-3..6).contains(&digits_before) {
+            0
+        } else {
+            3 * digits_before.div_euclid(3)
         };
         let decimals = (power - self.power).max(0) as usize;
         (self.first..=self.last).map(move |k| {
@@ -108,9 +109,10 @@ pub fn tick_label(value: f64, span: f64) -> String {
 }
 
 fn trimmed(text: &str) -> &str {
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.'),
-        false => text,
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
     }
 }
 

@@ -144,9 +144,10 @@ impl MeshBuilder {
                 continue;
             };
             // only lines have a direction that matters
-            match dimension == 1 && (tag < 0) != reversed {
-                true => against.push(group),
-                false => with.push(group),
+            if dimension == 1 && (tag < 0) != reversed {
+                against.push(group)
+            } else {
+                with.push(group)
             }
         }
         ElementGroups {

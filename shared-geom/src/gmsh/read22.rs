@@ -87,9 +87,10 @@ pub(super) fn read_elements(reader: &mut Reader) -> Outcome {
             announced,
             found,
         };
-        found += match reader.cursor.is_binary() {
-            true => read_block(reader, announced - found)?,
-            false => read_line(reader, progress)?,
+        found += if reader.cursor.is_binary() {
+            read_block(reader, announced - found)?
+        } else {
+            read_line(reader, progress)?
         };
     }
     Ok(())

@@ -23,9 +23,10 @@ pub(super) fn read(bytes: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
         },
         Err(problem) => {
             let whole = matches!(problem, ReadProblem::Empty | ReadProblem::NotGmsh);
-            match whole {
-                true => reader.problems.push_whole(problem),
-                false => reader.problems.push(reader.cursor.location(), problem),
+            if whole {
+                reader.problems.push_whole(problem)
+            } else {
+                reader.problems.push(reader.cursor.location(), problem)
             }
         }
     }
@@ -92,9 +93,10 @@ fn read_section(reader: &mut Reader, version: Version, section: &str) -> bool {
         }
     };
     let complete = reader.keep(outcome).is_some();
-    let (exhausted, goes_on) = match reader.cursor.is_binary() {
-        true => close_binary(reader, section, complete, opened),
-        false => (close_section(reader, section, complete), true),
+    let (exhausted, goes_on) = if reader.cursor.is_binary() {
+        close_binary(reader, section, complete, opened)
+    } else {
+        (close_section(reader, section, complete), true)
     };
     match section {
         _ if exhausted => {}

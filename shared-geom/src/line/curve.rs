@@ -215,9 +215,10 @@ impl Splines {
                 x = 0.5 * (bounds.0 + bounds.1);
             }
             let over = self.length(i, start, x) - part;
-            match over > 0.0 {
-                true => bounds.1 = x,
-                false => bounds.0 = x,
+            if over > 0.0 {
+                bounds.1 = x
+            } else {
+                bounds.0 = x
             }
             let next = x - over / self.along(i, x).norm();
             let moves = (next - x).abs() > ROUND_OFF * end.abs().max(start.abs());

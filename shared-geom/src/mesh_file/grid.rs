@@ -158,13 +158,14 @@ impl Listed {
         if kind == PIXEL && nodes.len() == 4 {
             nodes.swap(2, 3);
         }
-        match nodes.len() == shape.node_count() {
-            true => Ok(nodes),
-            false => Err(FileProblem::Count {
+        if nodes.len() == shape.node_count() {
+            Ok(nodes)
+        } else {
+            Err(FileProblem::Count {
                 what: format!("cell {tag} of type {kind}"),
                 found: nodes.len(),
                 expected: shape.node_count().to_string(),
-            }),
+            })
         }
     }
 }

@@ -14,13 +14,13 @@ use super::words::{real, whole};
 use crate::error::Diagnostics;
 use crate::mesh::{CellKind, LineKind, Mesh};
 
-/// Families of plane elements, whose names go on with the number of nodes.
+/// Families of plane elements: the number of nodes follows in their names.
 const PLANE: [&str; 12] = [
     "CPS", "CPE", "CPEG", "CAX", "CGAX", "S", "STRI", "M3D", "SFM3D", "DC2D", "WARP2D", "WARPF2D",
 ];
-/// Lines, whose names go on with the number of nodes.
+/// Lines: the number of nodes follows in their names.
 const TRUSSES: [&str; 2] = ["T2D", "T3D"];
-/// Beams, whose names go on with their order: 2 is quadratic, 1 and 3 have two nodes.
+/// Beams: their order follows in their names, 2 is quadratic, 1 and 3 have two nodes.
 const BEAMS: [&str; 2] = ["B2", "B3"];
 /// Keywords that make or move nodes and elements, which are not read.
 const REFUSED: [&str; 9] = [
@@ -204,9 +204,10 @@ impl Reader {
         }
         let (line, row) = std::mem::take(&mut self.row);
         let (tag, nodes) = (row[0], row[1..].to_vec());
-        let added = match row.len() == needed {
-            true => self.parts.element((line, tag), shape, nodes, set),
-            false => Err(row_length(&row, shape)),
+        let added = if row.len() == needed {
+            self.parts.element((line, tag), shape, nodes, set)
+        } else {
+            Err(row_length(&row, shape))
         };
         self.problems.keep(line, added);
     }

@@ -29,7 +29,7 @@ pub struct Model {
     pub curvature: Option<[f64; 3]>,
     /// Direction of the reference line in section axes \[-\], if it is not normal.
     pub slope: Option<[f64; 3]>,
-    /// What the conversion changed, as text.
+    /// Changes by the conversion, as text.
     pub notes: Vec<String>,
 }
 
@@ -185,9 +185,10 @@ impl Regions {
         let (fiber_angle, plane_angle) = (layup.fiber_angle, layup.plane_angle);
         let key = (material, are_few.then(|| fiber_angle.to_bits()));
         let (region, set) = *self.index.entry(key).or_insert_with(|| {
-            let group = match are_few {
-                true => format!("{name} at {fiber_angle} deg"),
-                false => name.to_owned(),
+            let group = if are_few {
+                format!("{name} at {fiber_angle} deg")
+            } else {
+                name.to_owned()
             };
             self.regions.push(ModelRegion {
                 group: group.clone(),

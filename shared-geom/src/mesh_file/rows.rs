@@ -56,13 +56,14 @@ impl<'a> Rows<'a> {
         count: RangeInclusive<usize>,
     ) -> Result<Vec<&'a str>, FileProblem> {
         let row = self.expect(what)?;
-        match count.contains(&row.len()) {
-            true => Ok(row),
-            false => Err(FileProblem::Count {
+        if count.contains(&row.len()) {
+            Ok(row)
+        } else {
+            Err(FileProblem::Count {
                 what: what.to_owned(),
                 found: row.len(),
                 expected: count.start().to_string(),
-            }),
+            })
         }
     }
 }

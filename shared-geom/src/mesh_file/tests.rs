@@ -276,9 +276,10 @@ fn grids_of_vtk_and_meshio_in_every_encoding() {
             assert_eq!(found.nodes(), line.nodes(), "{name}");
         }
         assert_eq!((mesh.cells.len(), mesh.lines.len()), (3, 2), "{name}");
-        match are_named {
-            true => assert_eq!(labels(&mesh), labels(&expected), "{name}"),
-            false => assert_eq!(labels(&mesh), [["0"], ["0"], ["1"], ["2"], ["2"]]),
+        if are_named {
+            assert_eq!(labels(&mesh), labels(&expected), "{name}")
+        } else {
+            assert_eq!(labels(&mesh), [["0"], ["0"], ["1"], ["2"], ["2"]])
         }
     }
 }

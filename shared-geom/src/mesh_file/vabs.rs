@@ -224,9 +224,10 @@ impl Reader<'_> {
             return Err(FileProblem::Count {
                 what: format!("the layup of element {element}"),
                 found: row.len(),
-                expected: match is_new {
-                    true => "element, layer and theta1".to_owned(),
-                    false => "element, material, theta3 and 9 theta1".to_owned(),
+                expected: if is_new {
+                    "element, layer and theta1".to_owned()
+                } else {
+                    "element, material, theta3 and 9 theta1".to_owned()
                 },
             });
         }
@@ -237,10 +238,7 @@ impl Reader<'_> {
             line: self.rows.line(),
             element,
             material: index(row[1], if is_new { "a layer" } else { "a material" })?,
-            fiber_angle: match is_new {
-                true => 0.0,
-                false => real(row[2], "theta3")?,
-            },
+            fiber_angle: if is_new { 0.0 } else { real(row[2], "theta3")? },
             plane_angle: self.mean(&angles, nodes),
         })
     }

@@ -39,7 +39,7 @@ pub(super) fn read(content: &[u8], file: &str) -> Result<Mesh, Diagnostics> {
     problems.into_result(file, mesh)
 }
 
-/// Whether the third line of a file says so.
+/// Whether the third line of a file has the word `BINARY`.
 fn is_binary(head: &[u8]) -> bool {
     let line = head.split(|&byte| byte == b'\n').nth(2);
     line.is_some_and(|line| line.trim_ascii().eq_ignore_ascii_case(b"BINARY"))
@@ -105,12 +105,13 @@ impl Reader<'_> {
 
     fn dataset(&mut self) -> Result<(), FileProblem> {
         let found = self.words.word().unwrap_or_default();
-        match found.eq_ignore_ascii_case("UNSTRUCTURED_GRID") {
-            true => Ok(()),
-            false => Err(FileProblem::Header {
+        if found.eq_ignore_ascii_case("UNSTRUCTURED_GRID") {
+            Ok(())
+        } else {
+            Err(FileProblem::Header {
                 found: format!("the data are \"{found}\""),
                 expected: "UNSTRUCTURED_GRID",
-            }),
+            })
         }
     }
 
@@ -190,13 +191,12 @@ impl Reader<'_> {
         let name = self.words.word().unwrap_or_default().to_owned();
         self.words.word();
         let next = self.words.word().ok_or(FileProblem::CutOff("the values"))?;
-        let components = match next.eq_ignore_ascii_case("LOOKUP_TABLE") {
-            true => 1,
-            false => {
-                let components = whole::<usize>(next, "the number of components")?;
-                self.words.word();
-                components
-            }
+        let components = if next.eq_ignore_ascii_case("LOOKUP_TABLE") {
+            1
+        } else {
+            let components = whole::<usize>(next, "the number of components")?;
+            self.words.word();
+            components
         };
         self.words.word();
         let count = self.count(of_cells);
@@ -244,9 +244,10 @@ impl Reader<'_> {
 
     /// Number of values of an array by cell or by point.
     fn count(&self, of_cells: bool) -> usize {
-        match of_cells {
-            true => self.grid.cells.len(),
-            false => self.grid.points.len(),
+        if of_cells {
+            self.grid.cells.len()
+        } else {
+            self.grid.points.len()
         }
     }
 

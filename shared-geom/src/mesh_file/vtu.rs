@@ -167,9 +167,10 @@ impl<'a> Reader<'a> {
     /// Keeps the description of an array that the mesh needs.
     fn array(&mut self, element: &Element) -> Result<(), FileProblem> {
         let line = self.elements.line();
-        let content = match element.is_empty {
-            true => &[][..],
-            false => self.elements.text(),
+        let content = if element.is_empty {
+            &[][..]
+        } else {
+            self.elements.text()
         };
         let section = match self.inside.last().map(String::as_str) {
             Some("Points") => Section::Points,

@@ -136,17 +136,19 @@ impl Scale {
     }
 
     fn of_vector(x: f64) -> Self {
-        match x < 1.0 {
-            true => Self::by_series(x),
-            false => Self::in_closed_form(x),
+        if x < 1.0 {
+            Self::by_series(x)
+        } else {
+            Self::in_closed_form(x)
         }
     }
 
     /// The closed forms divide differences by x once per differentiation.
     fn by_series(x: f64) -> Self {
-        let terms = match x < SMALL {
-            true => &SERIES[..TERMS_OF_SMALL],
-            false => &SERIES,
+        let terms = if x < SMALL {
+            &SERIES[..TERMS_OF_SMALL]
+        } else {
+            &SERIES
         };
         // value, first and half the second derivative by x of b, c, e
         let mut sums = [[0.0; 3]; 3];

@@ -250,9 +250,10 @@ fn unusable_entry(field: &'static str, entries: &[f64]) -> Option<PropertyProble
         .iter()
         .copied()
         .find(|entry| entry.is_nan() || entry.abs() > LARGEST)?;
-    Some(match found.is_finite() {
-        true => PropertyProblem::TooLarge { field, found },
-        false => PropertyProblem::NotFinite { field },
+    Some(if found.is_finite() {
+        PropertyProblem::TooLarge { field, found }
+    } else {
+        PropertyProblem::NotFinite { field }
     })
 }
 
@@ -266,9 +267,10 @@ pub fn mass_problems(matrix: &Matrix6<f64>) -> Vec<PropertyProblem> {
 /// Smallest eigenvalue of the symmetric part scaled to a unit diagonal [-]; NaN for a
 /// matrix that contains one.
 pub fn least_eigenvalue(matrix: &Matrix6<f64>) -> f64 {
-    match matrix.iter().all(|entry| entry.is_finite()) {
-        true => smallest_scaled_eigenvalue(&dynamic(matrix)),
-        false => f64::NAN,
+    if matrix.iter().all(|entry| entry.is_finite()) {
+        smallest_scaled_eigenvalue(&dynamic(matrix))
+    } else {
+        f64::NAN
     }
 }
 

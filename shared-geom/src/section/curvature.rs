@@ -308,9 +308,10 @@ fn degrees(initial: &InitialCurvature) -> Vector3<f64> {
 fn words(initial: &InitialCurvature) -> String {
     let curvature = format!("curvature {} deg/m", list(&degrees(initial)));
     let off = initial.slope - InitialCurvature::STRAIGHT.slope;
-    match off.amax() <= SHOWN {
-        true => curvature,
-        false => format!("{curvature} and slope {}", list(&initial.slope)),
+    if off.amax() <= SHOWN {
+        curvature
+    } else {
+        format!("{curvature} and slope {}", list(&initial.slope))
     }
 }
 

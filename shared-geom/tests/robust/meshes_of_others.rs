@@ -49,9 +49,10 @@ fn check(target: &str, is_read: impl Fn(&str, &[u8]) -> bool) {
         let mut random = Random::new(number as u64);
         let mut check = |what: String, bytes: &[u8]| {
             let read = |bytes: &[u8]| is_read(&name, bytes);
-            match within(&what, bytes, SLACK + ZLIB, read) {
-                true => good += 1,
-                false => bad += 1,
+            if within(&what, bytes, SLACK + ZLIB, read) {
+                good += 1
+            } else {
+                bad += 1
             }
         };
         for end in (0..bytes.len()).step_by(7) {

@@ -47,7 +47,7 @@ fn the_first_tongue_of_the_equation_of_mathieu() {
     );
 }
 
-/// A bar of mass one that stands on its hinge, 0.5 m below its center, with a rotational spring `k` and a
+/// A bar of mass one above its hinge, 0.5 m below its center, with a rotational spring `k` and a
 /// damper; beside it a mass of 2 kg on springs of 50 N/m.
 fn standing(settings: &str) -> String {
     format!(
@@ -65,7 +65,7 @@ fn standing(settings: &str) -> String {
     )
 }
 
-// I q'' + c q' + (k - m g l) q = 0: divergence at k = m g l. Below it the bar stands, too, unstable.
+// I q'' + c q' + (k - m g l) q = 0: divergence at k = m g l. Below it the upright bar is unstable.
 #[test]
 fn divergence_of_a_standing_bar() {
     let text = standing(

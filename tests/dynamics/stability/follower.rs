@@ -37,7 +37,7 @@ fn scanned(modes: [Mode<'_>; 2], turn: f64) -> Scan {
     scan(&settings, &mut evaluate)
 }
 
-/// Asserts places, names and stable sides of the boundaries.
+/// Asserts values, names and stable sides of the boundaries.
 fn assert_found(found: &Scan, expected: &mut [(f64, &str, StableSide)], within: f64) {
     expected.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert!(found.failures.is_empty(), "{:?}", found.failures);
@@ -65,7 +65,7 @@ fn side(slope: f64) -> StableSide {
     }
 }
 
-// Each growth is a cubic with one zero at a random place; frequencies may cross.
+// Each growth is a cubic with one zero at a random value; frequencies may cross.
 #[test]
 fn random_crossings() {
     let mut random = Random(7);
@@ -106,7 +106,7 @@ fn random_double_crossings() {
     }
 }
 
-// A growth that touches zero from below or above: the place of a maximum of round-off 1e-16 is known to
+// A growth that touches zero from below or above: the value at a maximum of round-off 1e-16 is known to
 // its root, and values are added down to 1e-6 of the range.
 #[test]
 fn random_touching_growths() {
@@ -129,7 +129,7 @@ fn random_touching_growths() {
     }
 }
 
-// Two modes at the same place, in the same direction and in opposite ones.
+// Two modes at the same value, in the same direction and in opposite ones.
 #[test]
 fn random_coincident_crossings() {
     let mut random = Random(17);

@@ -79,7 +79,7 @@ fn energy_and_momenta_of_a_free_flight() {
     }
 }
 
-/// The soft cantilever of the spectra, struck at random over its whole length: neither the default
+/// The soft cantilever of the spectra, with random velocities over its whole length: neither the default
 /// scheme, which damps, nor Crank-Nicolson, which does not, may gain energy over 10 000 steps that
 /// resolve the growing modes (with finite volumes, from 0.1 J to 1378 J within 0.2 s).
 /// Crank-Nicolson keeps a shadow energy that differs by (h omega)^2 of the energy in each mode.

@@ -146,7 +146,7 @@ fn critical_speeds() {
 }
 
 // Frequency with damping and growth of the four motions of the wing over the air speed at 458 rpm, listed
-// to 400 kt: 1e-4, of 1e-2 asked; the errors of 96 steps and of chords of a thousandth are smaller.
+// to 400 kt: 1e-4, of the required 1e-2; the errors of 96 steps and of chords of a thousandth are smaller.
 #[test]
 fn frequencies_and_growth_over_the_speed() {
     let listed = reference(NUMBERS);

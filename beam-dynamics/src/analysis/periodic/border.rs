@@ -2,8 +2,8 @@
 //!
 //! A control u is a state that does not change, `u' = 0`, and a target is the integral I of a
 //! quantity, `I' = q`, `I(0) = 0`: both are unknowns of the motion, so that the map M of a period
-//! has their derivatives. In the equations of the shooting, the rows of the controls, which say
-//! nothing, become rows of the targets, and the rows of the integrals their start:
+//! has their derivatives. In the equations of the shooting, the rows of the controls, which are
+//! zero, become rows of the targets, and the rows of the integrals their start:
 //!
 //! ```text
 //! d - M d = y(T) - y(0)              (states)

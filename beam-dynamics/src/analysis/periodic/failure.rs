@@ -134,7 +134,7 @@ impl PeriodicFailure {
                  \"settle\"; check that the period is a multiple of all periods of drives and rotors"
             }
             Self::Unreached { .. } => {
-                "ask for values of the targets that the model can reach (stall limits thrust), or give \
+                "require values of the targets that the model can reach (stall limits thrust), or give \
                  first guesses nearer to them"
             }
             Self::Singular { .. } => {
@@ -142,7 +142,7 @@ impl PeriodicFailure {
                  or prescribe the speed of the shaft; a control must act on a target"
             }
             Self::Bound { .. } => {
-                "move the bound, ask for another value of the target, or replace the control"
+                "move the bound, require another value of the target, or replace the control"
             }
             Self::SingularStep => "use more \"steps\"",
             Self::Counts { .. } => "give each control one target",

@@ -1,7 +1,7 @@
 //! Boundaries between two values of the parameter.
 //!
-//! The n-th largest growth is a continuous function of the parameter, however modes exchange their
-//! places: where the number of unstable roots increases from n - 1 to n, it has a zero. Where modes
+//! The n-th largest growth is a continuous function of the parameter, however modes exchange
+//! their ranks: where the number of unstable roots increases from n - 1 to n, it has a zero. Where modes
 //! pass in both directions between two values, each is followed by the exponent between its ends.
 
 use std::cell::RefCell;
@@ -21,12 +21,12 @@ const SMALL: f64 = 1e-4;
 enum Growth {
     /// The growth of this number among all, neutral roots left out, from zero.
     Rank(usize),
-    /// Of the mode between these ends: places and roots.
+    /// Of the mode between these ends: values of the parameter, and roots.
     Followed(Box<[(f64, StabilityRoot); 2]>),
 }
 
 impl Growth {
-    /// Index of its root among `roots` at a place, of which `neutral` are neutral.
+    /// Index of its root among `roots` at a value, of which `neutral` are neutral.
     fn index(&self, at: f64, roots: &[StabilityRoot], neutral: usize) -> Option<usize> {
         match self {
             Self::Rank(rank) => {

@@ -16,8 +16,8 @@ const KEPT: usize = 4;
 /// Part of the value at the other end below which a function is nearly zero.
 const FLAT: f64 = 1e-6;
 
-/// A root of `f` between the `ends`, each a place with its value, of opposite signs: the last place at
-/// which `f` was evaluated, when it moves by less than `tolerance`.
+/// A root of `f` between the `ends`, each an argument with its value, of opposite signs: the last
+/// argument at which `f` was evaluated, when it moves by less than `tolerance`.
 ///
 /// # Errors
 /// The error of `f`.

@@ -63,7 +63,7 @@ pub(super) fn next_maximum(settings: &ScanSettings, points: &[StabilityPoint]) -
     })
 }
 
-/// The place of a maximum near zero of three roots that all decay, or of a minimum if all grow.
+/// The parameter at a maximum near zero of three roots that all decay, or of a minimum if all grow.
 fn maximum(at: [f64; 3], roots: [&StabilityRoot; 3], size: f64) -> Option<f64> {
     let zero = doubt(roots, size);
     let grow = roots.map(StabilityRoot::is_unstable);
@@ -80,7 +80,7 @@ fn maximum(at: [f64; 3], roots: [&StabilityRoot; 3], size: f64) -> Option<f64> {
     (top > -(3.0 * zero + WRONG * drop)).then_some(x)
 }
 
-/// The places at which the growth of a mode touches zero: its largest value that is not above zero,
+/// The values at which the growth of a mode touches zero: its largest value that is not above zero,
 /// between smaller ones.
 pub(super) fn touching(
     settings: &ScanSettings,

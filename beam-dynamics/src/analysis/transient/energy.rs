@@ -124,7 +124,7 @@ pub(super) struct EnergyWatch {
     steps: usize,
     length: f64,
     latest: Look,
-    /// Beginning of a gain [s], and whether it is to be reported.
+    /// Beginning of a gain [s], and whether it is reported.
     since: Option<f64>,
     is_found: bool,
     largest: Look,

@@ -43,7 +43,7 @@ impl NotBalanced {
             }
             Self::Idle(_) => "replace a control, or a target",
             Self::Bound { .. } => {
-                "move the bound, ask for another value of the target, or replace the control"
+                "move the bound, require another value of the target, or replace the control"
             }
         }
     }

@@ -2,7 +2,7 @@
 
 /// Help text of the command.
 pub(super) const EXPAND: &str = "\
-Prints a dynamics file with the cards for which its rotors stand
+Prints a dynamics file with the cards to which its rotors expand
 
 Each [[rotor]] is replaced by its frames, nodes, bodies, joints, springs, drives and blades; \
 all other lines stay as they are. The expanded file gives the same results.";

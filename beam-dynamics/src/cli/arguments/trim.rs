@@ -10,6 +10,7 @@ parameter, from the solution before. Prints controls, targets and iterations, an
 folder DIR:
   NAME.trim.csv          a row for each point: controls, targets, iterations, status
   NAME.trim.txt          the table as printed
+  NAME.trim.json         with --json: all points with all digits, for other programs
   NAME.trim.png, .svg    of a sweep: controls and targets over the parameter
 and the last motion as the command periodic, or the last equilibrium as the command static, where \
 FILE is NAME.dynamics.toml. Targets that are not met are named with the reason, and the exit code is 1.";
@@ -30,4 +31,4 @@ Example:
   value = 2e4
   scale = 2e4
   END
-  beam-dynamics trim rotor.dynamics.toml";
+  beam-dynamics trim rotor.dynamics.toml --json";

@@ -176,7 +176,7 @@ impl AirStrip {
         &self.start
     }
 
-    /// With its place in the model, for reports.
+    /// With its location in the model, for reports.
     pub fn placed(self, place: StripPlace) -> Self {
         Self {
             place: Arc::new(place),

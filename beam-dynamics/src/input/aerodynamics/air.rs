@@ -69,9 +69,10 @@ pub(super) fn read(
         return Some(Air::default());
     };
     let table = table?;
-    let up = match gravity.norm() > 0.0 {
-        true => -gravity.normalize(),
-        false => Vector3::z(),
+    let up = if gravity.norm() > 0.0 {
+        -gravity.normalize()
+    } else {
+        Vector3::z()
     };
     let (atmosphere, wind) = (atmosphere(&table), wind(&table, &up, drives));
     table.finish();
@@ -96,9 +97,10 @@ fn atmosphere(table: &Table<'_>) -> Option<Atmosphere> {
             for problem in &problems {
                 let is_of_altitude =
                     matches!(problem, WindProblem::Value { what, .. } if what == ALTITUDE.name());
-                match is_of_altitude {
-                    true => table.note(&ALTITUDE, problem),
-                    false => table.note(&TEMPERATURE_OFFSET, problem),
+                if is_of_altitude {
+                    table.note(&ALTITUDE, problem)
+                } else {
+                    table.note(&TEMPERATURE_OFFSET, problem)
                 }
             }
             None
@@ -135,9 +137,10 @@ fn optional<T>(
     key: &str,
     read: impl FnOnce(&Table<'_>) -> Option<T>,
 ) -> Option<Option<T>> {
-    match table.has(key) {
-        true => read(&table.table(key)?).map(Some),
-        false => Some(None),
+    if table.has(key) {
+        read(&table.table(key)?).map(Some)
+    } else {
+        Some(None)
     }
 }
 
@@ -145,9 +148,10 @@ fn mean_wind(table: &Table<'_>, up: &Vector3<f64>, drives: &drives::Catalog) -> 
     if table.is_table(&WIND) {
         return mean::read(&table.table(&WIND)?, up, drives);
     }
-    let velocity = match table.has(&WIND) {
-        true => table.vector(WIND.name(), Dimension::VELOCITY)?,
-        false => Vector3::zeros(),
+    let velocity = if table.has(&WIND) {
+        table.vector(WIND.name(), Dimension::VELOCITY)?
+    } else {
+        Vector3::zeros()
     };
     match MeanCard::of_velocity(&velocity, up) {
         Ok(mean) => Some(mean),

@@ -91,9 +91,10 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     if let Some(wanted) = built_in {
         let at = (table, BUILT_IN_NAME.name());
         let found = named_built_in(&wanted, at, &format!("airfoil \"{name}\""))?;
-        return match changes.is_any() {
-            false => Some(found.airfoil()),
-            true => changed(found.data(), &changes, at, remarks),
+        return if changes.is_any() {
+            changed(found.data(), &changes, at, remarks)
+        } else {
+            Some(found.airfoil())
         };
     }
     let lift = LinearLift {

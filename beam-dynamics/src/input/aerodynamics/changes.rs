@@ -55,12 +55,13 @@ pub(super) struct Changes {
 
 /// Reads the changes of an airfoil.
 pub(super) fn read(table: &Table<'_>) -> Option<Changes> {
-    let stall_delay = match table.has(&STALL_DELAY) {
-        true => table
+    let stall_delay = if table.has(&STALL_DELAY) {
+        table
             .table(&STALL_DELAY)
             .and_then(|inner| stall_delay(&inner))
-            .map(Some),
-        false => Some(None),
+            .map(Some)
+    } else {
+        Some(None)
     };
     let viterna = match (table.has(&VITERNA), table.is_table(&VITERNA)) {
         (false, _) => Some(None),
@@ -137,9 +138,6 @@ impl Changes {
         if let Some(limit) = self.mach_limit {
             data = data.with_compressibility(limit)?;
         }
-        Ok(match self.mirror {
-            true => data.mirrored(),
-            false => data,
-        })
+        Ok(if self.mirror { data.mirrored() } else { data })
     }
 }

@@ -165,9 +165,10 @@ pub(super) fn add(
         if hinge.kind == Kind::Pitch {
             axes = mount.blade_axes();
         }
-        let outer = match number + 1 == hinges.len() {
-            true => Some(root),
-            false => node(builder, &format!("hinge {}", number + 1), offset, &axes),
+        let outer = if number + 1 == hinges.len() {
+            Some(root)
+        } else {
+            node(builder, &format!("hinge {}", number + 1), offset, &axes)
         };
         let (Some(from), Some(to)) = (inner, outer) else {
             return builder.note_loose_end();

@@ -68,8 +68,9 @@ impl BladeLayout {
 /// Section axes in the axes of the node; exactly the identity if they agree.
 fn relative(node: &Matrix3<f64>, section: &Matrix3<f64>) -> Matrix3<f64> {
     let relative = node.transpose() * section;
-    match (relative - Matrix3::identity()).amax() <= ALIGNED {
-        true => Matrix3::identity(),
-        false => relative,
+    if (relative - Matrix3::identity()).amax() <= ALIGNED {
+        Matrix3::identity()
+    } else {
+        relative
     }
 }

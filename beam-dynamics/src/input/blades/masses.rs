@@ -128,9 +128,10 @@ impl PointMass {
     ) -> (usize, RigidInertia) {
         let number = layout.nearest(position);
         let node = &layout.nodes[number];
-        let distance = match node.arc_length == position {
-            true => nalgebra::Vector3::zeros(),
-            false => node.axes.transpose() * (source.position(position) - node.position),
+        let distance = if node.arc_length == position {
+            nalgebra::Vector3::zeros()
+        } else {
+            node.axes.transpose() * (source.position(position) - node.position)
         };
         (number, self.lump.inertia(&distance))
     }

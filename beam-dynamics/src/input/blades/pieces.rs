@@ -122,9 +122,10 @@ fn pieces(
             let words = format!("{words}, piece {}", number + 1);
             let properties = piece_properties(table, builder, &words, default);
             // Values of the piece replace values of the blade.
-            let properties = match heat::is_given(table) {
-                true => heat::read(table, properties, builder.drives(), &words),
-                false => heat::read(blade, properties, builder.drives(), &words),
+            let properties = if heat::is_given(table) {
+                heat::read(table, properties, builder.drives(), &words)
+            } else {
+                heat::read(blade, properties, builder.drives(), &words)
             };
             let piece = piece(table);
             table.finish();

@@ -93,9 +93,10 @@ impl LookUp<'_> {
         let elements = elements.map(|element| of_element(element.as_ref()));
         let mut all = builder.clamps.keys().map(clamp).chain(elements);
         let mut known = Vec::new();
-        let found = all.find_map(|(label, nodes)| match label == self.name {
-            true => Some(nodes),
-            false => {
+        let found = all.find_map(|(label, nodes)| {
+            if label == self.name {
+                Some(nodes)
+            } else {
                 known.push(label);
                 None
             }

@@ -117,9 +117,10 @@ fn reported(card: &ElectrodeCard) -> String {
             resistance,
             inductance,
         } => {
-            let coil = match *inductance > 0.0 {
-                true => format!(" and {} H", short_number(*inductance, DIGITS)),
-                false => String::new(),
+            let coil = if *inductance > 0.0 {
+                format!(" and {} H", short_number(*inductance, DIGITS))
+            } else {
+                String::new()
             };
             let resistance = short_number(*resistance, DIGITS);
             format!("{} through {resistance} Ohm{coil}", volts(source))

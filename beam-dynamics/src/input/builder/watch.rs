@@ -95,9 +95,10 @@ pub(super) fn adapt(
         };
         let own = watched.extract_if(.., is_own);
         readings.extend(own.map(|(_, reading, scalar)| (reading, scalar)));
-        match readings.is_empty() {
-            true => element,
-            false => boxed(Adapted::read(Arc::from(element), readings)),
+        if readings.is_empty() {
+            element
+        } else {
+            boxed(Adapted::read(Arc::from(element), readings))
         }
     });
     adapted.collect()

@@ -90,9 +90,10 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<Vec<Column>> {
             }
         };
         Some(Column {
-            name: match is_alone {
-                true => name.clone(),
-                false => format!("{name}_{}", part.word),
+            name: if is_alone {
+                name.clone()
+            } else {
+                format!("{name}_{}", part.word)
             },
             unit,
             factor,

@@ -82,13 +82,11 @@ fn of_electrodes(builder: &ModelBuilder) -> Vec<Column> {
 
 /// The label of a node, converted to a name of a column.
 fn as_name(label: &str) -> String {
-    let letter = |c: char| match c.is_ascii_alphanumeric() {
-        true => c,
-        false => '_',
-    };
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let name: String = label.chars().map(letter).collect();
-    match is_name(&name) {
-        true => name,
-        false => format!("n{name}"),
+    if is_name(&name) {
+        name
+    } else {
+        format!("n{name}")
     }
 }

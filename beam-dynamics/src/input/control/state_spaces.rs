@@ -70,9 +70,10 @@ pub(super) fn read(named: Vec<Named<'_>>, builder: &mut ModelBuilder) {
         if let Some(period) = period {
             builder.add_sampling(card.table.line_of(&sampled::SAMPLE_TIME), period);
         }
-        match is_new {
-            true => builder.add_control(element),
-            false => builder.note_broken(),
+        if is_new {
+            builder.add_control(element)
+        } else {
+            builder.note_broken()
         }
     }
 }
@@ -240,12 +241,13 @@ fn matrices(table: &Table<'_>, sizes: (Option<usize>, &[String])) -> Option<Matr
 fn from_keys(table: &Table<'_>, (inputs, names): (Option<usize>, &[String])) -> Option<Matrices> {
     let states = table.row_count(&A).unwrap_or(0);
     let (inputs, outputs) = (inputs?, names.len());
-    let read = |key: &Key<ByHand>, rows: usize, columns: usize| match table.has(key) {
-        false => Some(DMatrix::zeros(rows, columns)),
-        true => {
+    let read = |key: &Key<ByHand>, rows: usize, columns: usize| {
+        if table.has(key) {
             let found = table.rows(key.name(), rows, columns)?;
             let numbers = found.into_iter().flatten();
             Some(DMatrix::from_row_iterator(rows, columns, numbers))
+        } else {
+            Some(DMatrix::zeros(rows, columns))
         }
     };
     // All are read, so that all problems are noted.

@@ -2,7 +2,7 @@
 
 #![allow(
     clippy::unwrap_used,
-    reason = "helpers of tests unwrap what the tests write"
+    reason = "helpers of tests unwrap inputs of the tests"
 )]
 
 use crate::input::Input;

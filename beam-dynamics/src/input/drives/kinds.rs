@@ -17,9 +17,10 @@ use crate::model::{BandNoise, Doublet, Drive, Harmonic, Ramp, Step, SteppedNoise
 
 /// Whether the kind of a table is known; otherwise its keys are not checked.
 pub(super) fn is_known(table: &Table<'_>) -> bool {
-    match table.has(KIND[0]) {
-        true => table.has_choice(&DRIVE, KIND[0]),
-        false => table.has(&EXPRESSION),
+    if table.has(KIND[0]) {
+        table.has_choice(&DRIVE, KIND[0])
+    } else {
+        table.has(&EXPRESSION)
     }
 }
 
@@ -29,9 +30,10 @@ pub(super) fn read(table: &Table<'_>, measure: Measure, find: &Find<'_>) -> Opti
         table.note(&UNIT, &DriveProblem::InlineUnit);
     }
     // The key `expression` implies the kind.
-    let kind = match !table.has(KIND[0]) && table.has(&EXPRESSION) {
-        true => EXPRESSION.name(),
-        false => table.choice(&DRIVE, KIND[0])?,
+    let kind = if !table.has(KIND[0]) && table.has(&EXPRESSION) {
+        EXPRESSION.name()
+    } else {
+        table.choice(&DRIVE, KIND[0])?
     };
     match kind {
         "constant" => value(table, &VALUE, measure).map(Drive::Constant),
@@ -190,9 +192,10 @@ fn band(table: &Table<'_>) -> Option<[f64; 2]> {
 
 /// A sum of drives, or a product of a drive and pure numbers.
 fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) -> Option<Drive> {
-    let key = match is_sum {
-        true => SUMMANDS.name(),
-        false => FACTORS.name(),
+    let key = if is_sum {
+        SUMMANDS.name()
+    } else {
+        FACTORS.name()
     };
     let items = table.require_item(key, "a list of drives")?;
     let Some(items) = items.list() else {
@@ -202,15 +205,19 @@ fn combined(table: &Table<'_>, is_sum: bool, measure: Measure, find: &Find<'_>) 
         table.note(key, &DriveProblem::Nothing { key });
         return None;
     }
-    let part = |(i, item): (usize, &Item<'_>)| match is_sum || i == 0 {
-        true => drive(item, measure, find),
-        false => drive(item, Measure::Declared(Dimension::NUMBER), find),
+    let part = |(i, item): (usize, &Item<'_>)| {
+        if is_sum || i == 0 {
+            drive(item, measure, find)
+        } else {
+            drive(item, Measure::Declared(Dimension::NUMBER), find)
+        }
     };
     // All parts are read, so that each problem is noted.
     let parts: Vec<_> = items.iter().enumerate().map(part).collect();
     let parts: Option<Vec<_>> = parts.into_iter().collect();
-    Some(match is_sum {
-        true => Drive::Sum(parts?.into()),
-        false => Drive::Product(parts?.into()),
+    Some(if is_sum {
+        Drive::Sum(parts?.into())
+    } else {
+        Drive::Product(parts?.into())
     })
 }

@@ -43,9 +43,10 @@ pub(in crate::input) fn read_factor(
     key: &KeySchema,
     catalog: &Catalog,
 ) -> Option<Signal> {
-    match table.has(key) {
-        true => read_signal(table, key, catalog),
-        false => Some(Signal::default()),
+    if table.has(key) {
+        read_signal(table, key, catalog)
+    } else {
+        Some(Signal::default())
     }
 }
 

@@ -81,12 +81,13 @@ impl Points {
 impl Axes {
     /// The axes of a card that is written in a frame.
     fn in_frame(self, frame: &Frame) -> Self {
-        match self.in_node {
-            true => self,
-            false => Self {
+        if self.in_node {
+            self
+        } else {
+            Self {
                 of_ends: self.of_ends.map(|axes| frame.axes(&axes)),
                 ..self
-            },
+            }
         }
     }
 }
@@ -192,9 +193,10 @@ fn turning(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Turning>>
 
 /// The length of a distance joint.
 fn length(table: &Table<'_>, builder: &ModelBuilder) -> Option<Option<Signal>> {
-    match table.has(&LENGTH) {
-        true => drives::read_distance(table, &LENGTH.schema, builder.drives()).map(Some),
-        false => Some(None),
+    if table.has(&LENGTH) {
+        drives::read_distance(table, &LENGTH.schema, builder.drives()).map(Some)
+    } else {
+        Some(None)
     }
 }
 
@@ -234,15 +236,19 @@ fn velocities(table: &Table<'_>, builder: &ModelBuilder) -> Option<[Option<Signa
 
 /// The freedoms of a position, a rotation or a total joint.
 fn freedoms(kind: &str, table: &Table<'_>, builder: &ModelBuilder) -> Option<[Freedom; 6]> {
-    let driven = |of: &str, key| match kind == of || kind == "total" {
-        true => components(table, key, builder),
-        false => Some([None, None, None]),
+    let driven = |of: &str, key| {
+        if kind == of || kind == "total" {
+            components(table, key, builder)
+        } else {
+            Some([None, None, None])
+        }
     };
     let along = driven("position", &DISPLACEMENTS);
     let about = driven("rotation", &ROTATION);
-    let locked = match kind == "total" {
-        true => locked(table),
-        false => Some([false; 6]),
+    let locked = if kind == "total" {
+        locked(table)
+    } else {
+        Some([false; 6])
     };
     let ([a, b, c], [d, e, f], locked) = (along?, about?, locked?);
     let all = [a, b, c, d, e, f];
@@ -285,9 +291,10 @@ fn points(kind: &str, table: &Table<'_>) -> Option<Points> {
         "plane-rotation",
     ];
     let at = table.get(&AT);
-    let from = match same.contains(&kind) {
-        true => Some(None),
-        false => table.get(&FROM),
+    let from = if same.contains(&kind) {
+        Some(None)
+    } else {
+        table.get(&FROM)
     };
     Some(Points {
         at: at?,
@@ -379,9 +386,10 @@ fn joint(
     };
     let b_node = (b, &nodes[b]);
     let ends = JointEnds { a, b: b_node };
-    let turn = match axes.in_node {
-        true => nodes[b].rotation,
-        false => Matrix3::identity(),
+    let turn = if axes.in_node {
+        nodes[b].rotation
+    } else {
+        Matrix3::identity()
     };
     let points = points_of(&holds, points, (a.map(|a| a.1), &nodes[b]), table)?;
     let placing = Placing {

@@ -25,19 +25,24 @@ pub(super) fn vector<const N: usize>(
     dimensions: &[Dimension; N],
 ) -> Option<SVector<f64, N>> {
     let is_alike = dimensions.iter().all(|other| *other == dimensions[0]);
-    let factors = dimensions.map(|dimension| match is_alike {
-        true => 1.0,
-        false => table.document().factor(dimension),
+    let factors = dimensions.map(|dimension| {
+        if is_alike {
+            1.0
+        } else {
+            table.document().factor(dimension)
+        }
     });
-    let dimension = match is_alike {
-        true => dimensions[0],
-        false => Dimension::NUMBER,
+    let dimension = if is_alike {
+        dimensions[0]
+    } else {
+        Dimension::NUMBER
     };
     let numbers = table.quantities(key, dimension)?;
     if numbers.len() != N {
-        let each = match is_alike {
-            true => dimension.to_string(),
-            false => "a number".to_owned(),
+        let each = if is_alike {
+            dimension.to_string()
+        } else {
+            "a number".to_owned()
         };
         let expected = match N {
             1 => each,
@@ -60,9 +65,10 @@ pub(super) fn each<const N: usize>(
         return Some(SVector::zeros());
     }
     let is_alike = dimensions.iter().all(|other| *other == dimensions[0]);
-    match is_alike && !table.is_list(key) {
-        true => table.quantity(key, dimensions[0]).map(SVector::repeat),
-        false => vector(table, key, dimensions),
+    if is_alike && !table.is_list(key) {
+        table.quantity(key, dimensions[0]).map(SVector::repeat)
+    } else {
+        vector(table, key, dimensions)
     }
 }
 

@@ -297,9 +297,10 @@ fn elements(
         let kinks = kinks(card, &beam.geometry, &ends, start);
         let load = |xi: f64| -> LineLoad {
             let s = arc(xi);
-            let turn = match card.in_section {
-                true => Some(beam.geometry.section_axes(&ends, xi)),
-                false => None,
+            let turn = if card.in_section {
+                Some(beam.geometry.section_axes(&ends, xi))
+            } else {
+                None
             };
             [&card.force, &card.moment].map(|course| {
                 let value = course.at(s, whole);
@@ -344,9 +345,10 @@ impl Course {
                     .find(|pair| pair[0].0 <= s && s <= pair[1].0);
                 around.map_or_else(Vector3::zeros, |pair| {
                     let part = (s - pair[0].0) / (pair[1].0 - pair[0].0);
-                    match part.is_finite() {
-                        true => pair[0].1.lerp(&pair[1].1, part),
-                        false => pair[0].1,
+                    if part.is_finite() {
+                        pair[0].1.lerp(&pair[1].1, part)
+                    } else {
+                        pair[0].1
                     }
                 })
             }

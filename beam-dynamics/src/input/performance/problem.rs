@@ -145,7 +145,7 @@ pub enum PerformanceProblem {
         /// The key of the longest list.
         longest: &'static str,
     },
-    /// Loads asked for at a value that no point has.
+    /// Loads requested at a value that no point has.
     #[error(
         "\"loads_at\" has {}, expected a value of {axis}; the nearest is {}",
         shown(*.found),

@@ -22,9 +22,10 @@ const MOST: usize = 10_000;
 
 /// The values of a key in SI units: `Some(None)` if it is absent, `None` if it is wrong.
 pub(super) fn read(table: &Table<'_>, key: &Key<Option<Vec<f64>>>) -> Option<Option<Vec<f64>>> {
-    let values = match table.is_table(key) {
-        true => Some(range(&table.table(key)?, key)?),
-        false => table.get(key)?,
+    let values = if table.is_table(key) {
+        Some(range(&table.table(key)?, key)?)
+    } else {
+        table.get(key)?
     };
     if values.as_ref().is_some_and(Vec::is_empty) {
         table.note(key, &PerformanceProblem::Empty { key: key.name() });

@@ -98,9 +98,10 @@ pub(super) fn of_rotor(
     quantity: RotorQuantity,
 ) -> Option<Worded> {
     let rotor = rotor(table, builder);
-    let definition = match quantity.is_defined() {
-        true => definition(table, kind, quantity),
-        false => Some(Definition::Rotor),
+    let definition = if quantity.is_defined() {
+        definition(table, kind, quantity)
+    } else {
+        Some(Definition::Rotor)
     };
     let (rotor, definition) = (rotor?, definition?);
     let blades = builder.air_blades().iter();

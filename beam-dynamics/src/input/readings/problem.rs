@@ -129,10 +129,7 @@ impl Explain for ReadingProblem {
                  driven, finite-volume beams and laws by expressions; columns of output can show it"
                     .to_owned(),
             ),
-            Self::NoStrips { known, .. } => Some(match known.is_empty() {
-                true => "the model has no strips in the air".to_owned(),
-                false => format!("with strips: {}", listed(known)),
-            }),
+            Self::NoStrips { known, .. } => Some(if known.is_empty() { "the model has no strips in the air".to_owned() } else { format!("with strips: {}", listed(known)) }),
             Self::Position { .. } => Some(
                 "\"at\" is a part of the radius or of the length, \"strip\" a number from the root"
                     .to_owned(),
@@ -141,10 +138,7 @@ impl Explain for ReadingProblem {
             Self::OffStrips { .. } => Some(
                 "strips are at Gauss points; \"strip\" selects the first or the last".to_owned(),
             ),
-            Self::Rotor { known, .. } => Some(match known.is_empty() {
-                true => "no blade of the model has [blade.aerodynamics]".to_owned(),
-                false => format!("rotors: {}", listed(known)),
-            }),
+            Self::Rotor { known, .. } => Some(if known.is_empty() { "no blade of the model has [blade.aerodynamics]".to_owned() } else { format!("rotors: {}", listed(known)) }),
             Self::Definition { known, .. } => {
                 Some(format!("definitions with it: {}", listed(known)))
             }

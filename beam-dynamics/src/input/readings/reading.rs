@@ -69,9 +69,10 @@ impl Reading<'_> {
         match source {
             Source::Node(vector) => self.of_node(kind, vector),
             Source::Momentum { is_angular } if self.table.has(OF) => {
-                let vector = match is_angular {
-                    true => NodeVector::AngularMomentum,
-                    false => NodeVector::Momentum,
+                let vector = if is_angular {
+                    NodeVector::AngularMomentum
+                } else {
+                    NodeVector::Momentum
                 };
                 self.of_node(kind, vector)
             }
@@ -243,18 +244,20 @@ impl Reading<'_> {
     }
 
     fn of_model(&self, kind: &Kind, is_angular: bool) -> Option<Vec<Found>> {
-        let about = match is_angular {
-            true => self.table.get(&ABOUT),
-            false => Some(Vector3::zeros()),
+        let about = if is_angular {
+            self.table.get(&ABOUT)
+        } else {
+            Some(Vector3::zeros())
         };
         let parts = self.vector_parts();
         let (about, plain) = (about?, kind.0.replace('_', " "));
         let found = parts?.into_iter().map(|(word, part)| Found {
             word,
             words: format!("{plain} {word} of the model"),
-            quantity: match is_angular {
-                true => Quantity::AngularMomentum { about, part },
-                false => Quantity::Momentum(part),
+            quantity: if is_angular {
+                Quantity::AngularMomentum { about, part }
+            } else {
+                Quantity::Momentum(part)
             },
             dimension: kind.2,
             unit: kind.3,
@@ -267,9 +270,10 @@ impl Reading<'_> {
         let point = self.table.get(&POINT);
         let components = self.components(&SIX);
         let (beam, point) = (beam?.0, point? - 1);
-        let about = match strain {
-            true => (CURVATURE, "1/m"),
-            false => (Dimension::MOMENT, "N*m"),
+        let about = if strain {
+            (CURVATURE, "1/m")
+        } else {
+            (Dimension::MOMENT, "N*m")
         };
         let found = components?.into_iter().map(|component| {
             let (dimension, unit) = if component < 3 {
@@ -387,9 +391,10 @@ impl Reading<'_> {
         let name = self
             .table
             .require_text(OF, "the name of a drive, or \"= ...\"")?;
-        let unit = match self.table.has("unit") {
-            true => self.table.text("unit")?,
-            false => "1".to_owned(),
+        let unit = if self.table.has("unit") {
+            self.table.text("unit")?
+        } else {
+            "1".to_owned()
         };
         let dimension = match parse(&unit) {
             Ok(unit) => unit.dimension,

@@ -26,6 +26,15 @@ pub(super) struct Units {
     pub moment: f64,
 }
 
+/// A number as a part of an expression.
+pub(super) fn signed(number: f64) -> String {
+    if number < 0.0 {
+        format!("({number})")
+    } else {
+        number.to_string()
+    }
+}
+
 /// Stops of an angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stop {
@@ -132,9 +141,10 @@ impl Base {
 
     /// The frame of the blades: below the center by the undersling.
     pub fn frame_of_blades(&self) -> String {
-        match self.undersling == 0.0 {
-            true => self.name.clone(),
-            false => format!("{} blades", self.name),
+        if self.undersling == 0.0 {
+            self.name.clone()
+        } else {
+            format!("{} blades", self.name)
         }
     }
 

@@ -1,4 +1,4 @@
-//! A `[[rotor]]` as read, and the cards for which it stands.
+//! A `[[rotor]]` as read, and the cards to which it expands.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Card, Content, Document, Table};
@@ -8,7 +8,8 @@ use shared_geom::units::Dimension;
 
 use super::arms;
 use super::base::{Base, Lump, Units, angles, lengths};
-use super::controls::{Context, Pitch, Sum};
+use super::context::Context;
+use super::controls::{Pitch, Sum};
 use super::hubs::{HUBS, HubKind};
 use super::keys;
 use super::parts;
@@ -16,6 +17,7 @@ use super::pitch;
 use super::plate::Plate;
 use super::problem::RotorProblem;
 use super::shaft::{self, Drive};
+use crate::elements::Smoothness;
 use crate::input::moments::moments;
 use crate::input::problem::InputProblem;
 
@@ -144,13 +146,14 @@ fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
 /// The drive of the shaft, and the speed at the start \[rad/s\].
 fn drive(table: &Table<'_>, name: &str, context: &Context) -> Option<(Drive, f64)> {
     let speed = table.get(&keys::SPEED)?;
-    let sum = |key| {
-        let control = super::controls::read(table, key, &context.drives)?;
+    let sum = |key, needed| {
+        let control = super::controls::read(table, key, (context, needed))?;
         let mut sum = Sum::default();
         sum.add(control.as_ref(), None);
         Some(sum)
     };
-    let (angle, torque) = (sum(&keys::ANGLE.schema)?, sum(&keys::TORQUE.schema)?);
+    let angle = sum(&keys::ANGLE.schema, Smoothness::Acceleration)?;
+    let torque = sum(&keys::TORQUE.schema, Smoothness::Value)?;
     let initial = speed.unwrap_or(0.0);
     let name = name.to_owned();
     match (angle.is_empty(), torque.is_empty()) {
@@ -245,8 +248,8 @@ impl Rotor {
     /// All cards; `has_hub` if the input has a `[hub]`, or other rotors.
     ///
     /// # Errors
-    /// A pitch that the swashplate cannot give.
-    pub fn cards(&self, has_hub: bool) -> Result<Vec<Card>, RotorProblem> {
+    /// A pitch that the swashplate cannot give, with its line.
+    pub fn cards(&self, has_hub: bool) -> Result<Vec<Card>, (usize, RotorProblem)> {
         let base = &self.base;
         let mut cards = Vec::new();
         if !has_hub {

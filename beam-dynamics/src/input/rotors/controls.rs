@@ -4,20 +4,24 @@ use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Content, Item, Table};
 use shared_geom::expression::{Expression, Jet, Names, written};
 
-/// What the whole input says about its rotors.
-#[derive(Debug)]
-pub(super) struct Context {
-    /// Names of drives.
-    pub drives: Vec<String>,
-    /// Whether nodes have given velocities at the start of a run.
-    pub moves: bool,
-    /// First guesses of numbers that a trim finds, by their names.
-    pub guesses: Vec<(String, f64)>,
-}
+use super::base::signed;
+use super::context::Context;
+use crate::elements::Smoothness;
+
+/// The names that a control may use, and the derivatives of it that must be known.
+pub(super) type Wanted<'a> = (&'a Context, Smoothness);
 
 /// A number that may change with time, as written.
 #[derive(Debug, Clone)]
-pub(super) enum Control {
+pub(super) struct Control {
+    kind: Kind,
+    /// Line of the file on which it is written; zero if it is not in the file.
+    line: usize,
+}
+
+/// The forms of a control.
+#[derive(Debug, Clone)]
+enum Kind {
     /// A number, or an expression, in the declared unit of its key.
     Text(String),
     /// A drive by its name, or a table.
@@ -25,9 +29,15 @@ pub(super) enum Control {
 }
 
 impl Control {
+    /// An expression of the program.
+    fn of_program(text: String) -> Self {
+        let kind = Kind::Text(text);
+        Self { kind, line: 0 }
+    }
+
     /// Its value at time zero in the declared unit, if it is known: it may use the constants.
     pub fn at_start(&self, constants: &[(String, f64)]) -> Option<f64> {
-        let Self::Text(text) = self else {
+        let Kind::Text(text) = &self.kind else {
             return None;
         };
         let names = Names {
@@ -41,10 +51,15 @@ impl Control {
 
     /// The number, if it is one, in the declared unit.
     pub fn number(&self) -> Option<f64> {
-        match self {
-            Self::Text(text) => text.trim_matches(['(', ')']).parse().ok(),
-            Self::Drive(_) => None,
+        match &self.kind {
+            Kind::Text(text) => text.trim_matches(['(', ')']).parse().ok(),
+            Kind::Drive(_) => None,
         }
+    }
+
+    /// Its line, if it is a drive by name or table.
+    pub fn line_of_drive(&self) -> Option<usize> {
+        matches!(self.kind, Kind::Drive(_)).then_some(self.line)
     }
 }
 
@@ -52,70 +67,68 @@ impl Control {
 pub(super) fn read(
     table: &Table<'_>,
     key: &KeySchema,
-    drives: &[String],
+    wanted: Wanted<'_>,
 ) -> Option<Option<Control>> {
     let Some(item) = table.item(key.name) else {
         return Some(None);
     };
-    control(&item, key, drives, table.copied(key.name)).map(Some)
+    control(&item, key, wanted).map(Some)
 }
 
-/// The control of a value of a key; `drives` are the names of drives.
-fn control(
-    item: &Item<'_>,
-    key: &KeySchema,
-    drives: &[String],
-    copied: Option<Content>,
-) -> Option<Control> {
+/// The control of a value of a key. A wrong one is noted under this key and read as zero, so that
+/// the parts of the rotor exist and the other cards find them.
+fn control(item: &Item<'_>, key: &KeySchema, (context, needed): Wanted<'_>) -> Option<Control> {
+    let kind = if context.accepts(item, key, needed) {
+        kind(item, key, context)?
+    } else {
+        Kind::Text("0".to_owned())
+    };
+    let line = item.line();
+    Some(Control { kind, line })
+}
+
+/// The form of a value of a key that is right.
+fn kind(item: &Item<'_>, key: &KeySchema, context: &Context) -> Option<Kind> {
     let Some(text) = item.text() else {
         if item.is_table() {
-            return copied.map(Control::Drive);
+            return Some(Kind::Drive(item.copied()));
         }
         return number(item, key);
     };
     if let Some(text) = written(text) {
-        return Some(Control::Text(format!("({})", text.trim())));
+        return Some(Kind::Text(format!("({})", text.trim())));
     }
     let name = text.trim();
     let begins = name.chars().next();
     if begins.is_none_or(|letter| letter.is_ascii_digit() || "+-.".contains(letter)) {
         return number(item, key);
     }
-    Some(match drives.iter().any(|own| own == name) {
-        true => Control::Drive(name.into()),
+    Some(if context.has_drive(name) {
+        Kind::Drive(name.into())
+    } else {
         // A sensor, an output or an actuator.
-        false => Control::Text(name.to_owned()),
+        Kind::Text(name.to_owned())
     })
 }
 
 /// A number in the declared unit.
-fn number(item: &Item<'_>, key: &KeySchema) -> Option<Control> {
+fn number(item: &Item<'_>, key: &KeySchema) -> Option<Kind> {
     let found = item.quantity(key.dimension())?;
     let number = found / item.document().factor(key.dimension());
-    Some(Control::Text(signed(number)))
+    Some(Kind::Text(signed(number)))
 }
 
 /// Reads a list of controls under a declared key; empty if it is absent.
-pub(super) fn list(table: &Table<'_>, key: &KeySchema, drives: &[String]) -> Option<Vec<Control>> {
+pub(super) fn list(table: &Table<'_>, key: &KeySchema, wanted: Wanted<'_>) -> Option<Vec<Control>> {
     let Some(item) = table.item(key.name) else {
         return Some(Vec::new());
     };
     let Some(items) = item.list() else {
         return item.wrong("a list of drives, one per blade");
     };
-    let read = items
-        .iter()
-        .map(|item| control(item, key, drives, Some(item.copied())));
+    let read = items.iter().map(|item| control(item, key, wanted));
     let read: Vec<_> = read.collect();
     read.into_iter().collect()
-}
-
-/// A number as a part of an expression.
-pub(super) fn signed(number: f64) -> String {
-    match number < 0.0 {
-        true => format!("({number})"),
-        false => number.to_string(),
-    }
 }
 
 /// A sum of controls times factors.
@@ -134,15 +147,21 @@ impl Sum {
         self.0.is_empty()
     }
 
+    /// The line of its first term in the file; zero without one.
+    pub fn line(&self) -> usize {
+        let mut lines = self.0.iter().map(|(control, _)| control.line);
+        lines.find(|line| *line > 0).unwrap_or(0)
+    }
+
     /// The sum as an expression; `None` if a term is a drive by name or table.
     pub fn text(&self) -> Option<String> {
         let terms = self
             .0
             .iter()
-            .map(|(control, factor)| match (control, factor) {
-                (Control::Text(text), Some(factor)) => Some(format!("{text}*{factor}")),
-                (Control::Text(text), None) => Some(text.clone()),
-                (Control::Drive(_), _) => None,
+            .map(|(control, factor)| match (&control.kind, factor) {
+                (Kind::Text(text), Some(factor)) => Some(format!("{text}*{factor}")),
+                (Kind::Text(text), None) => Some(text.clone()),
+                (Kind::Drive(_), _) => None,
             });
         let terms: Option<Vec<_>> = terms.collect();
         Some(match terms? {
@@ -151,10 +170,15 @@ impl Sum {
         })
     }
 
-    /// The sum as a value of a key.
+    /// The sum as a value of a key, on the line of its first term.
     pub fn content(&self) -> Content {
+        self.value().on_line(self.line())
+    }
+
+    fn value(&self) -> Content {
         // A single name keeps its unit.
-        if let [(Control::Text(text), None)] = self.0.as_slice()
+        if let [(control, None)] = self.0.as_slice()
+            && let Kind::Text(text) = &control.kind
             && text.starts_with(|letter: char| letter.is_ascii_alphabetic())
         {
             return text.as_str().into();
@@ -163,11 +187,12 @@ impl Sum {
             return format!("= {text}").into();
         }
         let terms = self.0.iter().map(|(control, factor)| {
-            let control = match control {
-                Control::Text(text) => format!("= {text}").into(),
-                Control::Drive(drive) => drive.clone(),
+            let line = control.line;
+            let control = match &control.kind {
+                Kind::Text(text) => format!("= {text}").into(),
+                Kind::Drive(drive) => drive.clone(),
             };
-            match factor {
+            let term = match factor {
                 None => control,
                 Some(factor) => Content::table([
                     ("kind", "product".into()),
@@ -176,7 +201,8 @@ impl Sum {
                         Content::list([control, format!("= {factor}").into()]),
                     ),
                 ]),
-            }
+            };
+            term.on_line(line)
         });
         Content::table([("kind", "sum".into()), ("terms", Content::list(terms))])
     }
@@ -228,7 +254,7 @@ impl Pitch {
             }
         }
         sum.add(self.individual.get(k), None);
-        let built_in = (self.built_in != 0.0).then(|| Control::Text(signed(-self.built_in)));
+        let built_in = (self.built_in != 0.0).then(|| Control::of_program(signed(-self.built_in)));
         sum.add(built_in.as_ref(), None);
         sum
     }

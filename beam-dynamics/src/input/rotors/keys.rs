@@ -15,7 +15,7 @@ use crate::input::moments::INERTIA;
 use crate::input::{aerodynamics, blades};
 
 keys! {
-    /// A rotor with its shaft, hub, blades and controls: it stands for frames, nodes, bodies, joints,
+    /// A rotor with its shaft, hub, blades and controls: it expands to frames, nodes, bodies, joints,
     /// springs and blades, which `beam-dynamics expand` prints.
     pub(in crate::input) CARD = "[[rotor]]";
     /// Its name, letters, digits and `_`: its hub is the node `NAME/hub`, its blades are `NAME 1` and

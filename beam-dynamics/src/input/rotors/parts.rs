@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 
 use super::arms::PITCH;
 use super::base::{Hinge, Lump, Restraint, Stop};
-use super::controls::{self, Context, Pitch};
+use super::context::Context;
+use super::controls::{self, Pitch, Wanted};
 use super::distributor::{Actuators, Links};
 use super::keys::{
     ACTUATORS, AZIMUTHS, BASE_BELOW, BASE_RADIUS, BELOW, BLADE, COLLECTIVE, CONTROL_STIFFNESS,
@@ -19,6 +20,7 @@ use super::keys::{
 use super::pitch::{Control, Link};
 use super::plate::Plate;
 use super::problem::RotorProblem;
+use crate::elements::Smoothness;
 use crate::input::aerodynamics::OF_ROTOR as OF_INFLOW;
 use crate::input::blades::OF_ROTOR as OF_BLADE;
 use crate::input::moments::moments;
@@ -74,9 +76,12 @@ pub(super) fn blade(table: &Table<'_>) -> Option<Blade> {
     if !wrong.is_empty() {
         return None;
     }
-    let number = |key: &str, dimension| match blade.has(key) {
-        true => blade.quantity(key, dimension),
-        false => Some(0.0),
+    let number = |key: &str, dimension| {
+        if blade.has(key) {
+            blade.quantity(key, dimension)
+        } else {
+            Some(0.0)
+        }
     };
     let radius = number("hub_radius", Dimension::LENGTH);
     let precone = number("precone", Dimension::ANGLE);
@@ -272,7 +277,15 @@ pub(super) fn controls(
     (name, cone): (&str, [f64; 2]),
     context: &Context,
 ) -> Option<Controls> {
-    let found = table.nested(&SWASHPLATE, |table| swashplate(table, cone, context));
+    // Without links, bearings or plates have the commanded motion.
+    let needed = if table.has(&PITCH_LINK) {
+        Smoothness::Value
+    } else {
+        Smoothness::Acceleration
+    };
+    let found = table.nested(&SWASHPLATE, |table| {
+        swashplate(table, cone, (context, needed))
+    });
     let link = table.nested(&PITCH_LINK, |table| {
         let (stiffness, damping) = (table.get(&CONTROL_STIFFNESS), table.get(&DAMPING));
         Some(Link {
@@ -309,9 +322,9 @@ pub(super) fn controls(
 fn swashplate(
     table: &Table<'_>,
     cone: [f64; 2],
-    context: &Context,
+    wanted: Wanted<'_>,
 ) -> Option<(Pitch, Option<Plate>)> {
-    let control = |table: &Table<'_>, key| controls::read(table, key, &context.drives);
+    let control = |table: &Table<'_>, key| controls::read(table, key, wanted);
     let [collective, cosine, sine] =
         [&COLLECTIVE, &COSINE, &SINE].map(|key| control(table, &key.schema));
     let harmonics = table.each(&HARMONIC, |table| {
@@ -319,13 +332,13 @@ fn swashplate(
         let [cosine, sine] = [&COSINE, &SINE].map(|key| control(table, &key.schema));
         Some((order?, [cosine?, sine?]))
     });
-    let individual = controls::list(table, &INDIVIDUAL.schema, &context.drives);
+    let individual = controls::list(table, &INDIVIDUAL.schema, wanted);
     let plate = table.nested(&PLATE, |table| plate(table, cone));
     let collective = collective?;
     // Links of plates have their undeformed length without pitch.
     let built_in = collective.as_ref().filter(|_| !table.has(&PLATE));
     let mut constants = table.document().parameters().clone();
-    constants.extend(context.guesses.iter().cloned());
+    constants.extend(wanted.0.guesses.iter().cloned());
     let built_in = built_in.and_then(|control| control.at_start(&constants));
     let pitch = Pitch {
         built_in: built_in.unwrap_or(0.0),

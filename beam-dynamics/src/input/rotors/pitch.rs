@@ -132,8 +132,9 @@ fn law(base: &Base, link: &Link, command: &Sum) -> Content {
             matrix(link.damping / (units.moment * units.time)),
         ),
     ]);
-    match link.damping == 0.0 {
-        true => spring,
-        false => Content::list([spring, damper]),
+    if link.damping == 0.0 {
+        spring
+    } else {
+        Content::list([spring, damper])
     }
 }

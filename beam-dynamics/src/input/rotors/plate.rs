@@ -8,9 +8,10 @@ use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
 use super::arms::feathering;
-use super::base::{Base, lengths};
-use super::controls::{Pitch, Sum, signed};
+use super::base::{Base, lengths, signed};
+use super::controls::{Pitch, Sum};
 use super::distributor::{Actuators, Links, Position};
+use super::keys::{COLLECTIVE, COSINE, SINE};
 use super::problem::RotorProblem;
 use super::shaft::Drive;
 
@@ -27,6 +28,9 @@ pub(super) struct Plate {
     pub actuators: Option<Actuators>,
 }
 
+/// A problem and its line.
+type Located = (usize, RotorProblem);
+
 /// Height and tilts of the plate.
 enum Motion {
     /// Constant.
@@ -36,7 +40,7 @@ enum Motion {
 }
 
 impl Plate {
-    fn motion(&self, base: &Base, pitch: &Pitch) -> Result<Motion, RotorProblem> {
+    fn motion(&self, base: &Base, pitch: &Pitch) -> Result<Motion, Located> {
         let units = &base.units;
         let controls = [&pitch.collective, &pitch.cosine, &pitch.sine].map(Option::as_ref);
         let numbers = controls.map(|one| one.map_or(Some(0.0), |one| one.number()));
@@ -45,7 +49,7 @@ impl Plate {
             let position = self.links.exact(wanted);
             return position
                 .map(Motion::At)
-                .map_err(|off| RotorProblem::Unreachable { off });
+                .map_err(|off| (base.line, RotorProblem::Unreachable { off }));
         }
         let linear = self.links.linear();
         let sum = |row: usize| {
@@ -63,12 +67,7 @@ impl Plate {
     }
 
     /// The plates, with the guide or the actuators of the one that does not turn.
-    pub fn cards(
-        &self,
-        base: &Base,
-        pitch: &Pitch,
-        drive: &Drive,
-    ) -> Result<Vec<Card>, RotorProblem> {
+    pub fn cards(&self, base: &Base, pitch: &Pitch, drive: &Drive) -> Result<Vec<Card>, Located> {
         let motion = self.motion(base, pitch)?;
         let [plate, turning] = ["plate", "rotating plate"].map(|part| base.part(part));
         let (local, center) = (base.local(), Vector3::z() * -self.links.below);
@@ -83,7 +82,7 @@ impl Plate {
             None => cards.push(prescribed(guide, &motion)),
             Some(actuators) => {
                 cards.push(guide);
-                cards.extend(self.actuator_cards(base, actuators, &motion)?);
+                cards.extend(self.actuator_cards(base, actuators, (&motion, pitch))?);
             }
         }
         let bearing = base.joint(&base.part("plate bearing"), "revolute", &[&plate, &turning]);
@@ -109,8 +108,8 @@ impl Plate {
         &self,
         base: &Base,
         actuators: &Actuators,
-        motion: &Motion,
-    ) -> Result<Vec<Card>, RotorProblem> {
+        (motion, pitch): (&Motion, &Pitch),
+    ) -> Result<Vec<Card>, Located> {
         let (local, center) = (base.local(), Vector3::z() * -self.links.below);
         let plate = base.part("plate");
         let mut cards = Vec::new();
@@ -127,7 +126,10 @@ impl Plate {
                 Motion::At(position) => {
                     Content::quantity(actuators.length(azimuth, *position), "m")
                 }
-                Motion::Linear(sums) => linear_length(base, actuators, azimuth, sums)?.into(),
+                Motion::Linear(sums) => {
+                    let length = linear_length(base, actuators, azimuth, &texts(pitch, sums)?);
+                    Content::from(length).on_line(sums[0].line())
+                }
             };
             // The distance of one node is from the point `at` of the frame.
             let key = match base.carrier {
@@ -159,13 +161,14 @@ impl Plate {
             );
         };
         let stiffness = Content::quantity(stiffness, "N/m");
-        let law = match self.damping == 0.0 {
-            true => Content::table([("kind", "linear".into()), ("stiffness", stiffness)]),
-            false => Content::table([
+        let law = if self.damping == 0.0 {
+            Content::table([("kind", "linear".into()), ("stiffness", stiffness)])
+        } else {
+            Content::table([
                 ("kind", "viscoelastic".into()),
                 ("stiffness", stiffness),
                 ("viscosity", Content::quantity(self.damping, "N*s/m")),
-            ]),
+            ])
         };
         let center = Vector3::z() * -self.links.below;
         let [x, y] = self.links.horn;
@@ -196,6 +199,23 @@ fn prescribed(guide: Card, motion: &Motion) -> Card {
         .with("rotation", Content::table([("x", x), ("y", y)]))
 }
 
+/// The motion of the plate as expressions, of a pitch without drives by name or table.
+fn texts(pitch: &Pitch, sums: &[Sum; 3]) -> Result<[String; 3], Located> {
+    if let [Some(height), Some(x), Some(y)] = sums.each_ref().map(Sum::text) {
+        return Ok([height, x, y]);
+    }
+    let controls = [
+        (COLLECTIVE.name(), &pitch.collective),
+        (COSINE.name(), &pitch.cosine),
+        (SINE.name(), &pitch.sine),
+    ];
+    let mut drives = controls
+        .into_iter()
+        .filter_map(|(key, control)| Some((key, control.as_ref()?.line_of_drive()?)));
+    let (key, line) = drives.next().unwrap_or((COLLECTIVE.name(), sums[0].line()));
+    Err((line, RotorProblem::NotWritten { key }))
+}
+
 /// The length of an actuator over the linear motion of the plate:
 ///
 /// ```text
@@ -205,21 +225,13 @@ fn linear_length(
     base: &Base,
     actuators: &Actuators,
     azimuth: f64,
-    sums: &[Sum; 3],
-) -> Result<String, RotorProblem> {
-    let texts = ["collective", "cosine", "sine"].into_iter().zip(sums);
-    let texts: Result<Vec<_>, _> = texts
-        .map(|(key, sum)| sum.text().ok_or(RotorProblem::NotWritten { key }))
-        .collect();
-    let texts = texts?;
+    [height, about_x, about_y]: &[String; 3],
+) -> String {
     let units = &base.units;
     let (sin, cos) = azimuth.sin_cos();
     let tilt = actuators.radius * units.angle / units.length;
     let [x, y] = [tilt * sin, -tilt * cos].map(signed);
     let foot = actuators.base_below / units.length;
     let across = (actuators.radius - actuators.base_radius) / units.length;
-    Ok(format!(
-        "= hypot({across}, {foot} + ({}) + {x}*({}) + {y}*({}))",
-        texts[0], texts[1], texts[2]
-    ))
+    format!("= hypot({across}, {foot} + ({height}) + {x}*({about_x}) + {y}*({about_y}))")
 }

@@ -2,8 +2,7 @@
 
 use shared_geom::document::{Card, Content};
 
-use super::base::{Base, Lump, Units, lengths};
-use super::controls::signed;
+use super::base::{Base, Lump, Units, lengths, signed};
 use nalgebra::Vector3;
 
 /// The drive of a shaft.
@@ -37,15 +36,18 @@ impl Drive {
             Self::Speed(speed) => Ok(format!("{}*t", signed(speed * units.time))),
             Self::Angle(_, Some(text)) => Ok(format!("{text}*{}", units.angle)),
             Self::Angle(_, None) => Err("\"angle\" is a drive by name or table"),
-            Self::Torque(_) => Ok(sensor(base)),
+            Self::Torque(_) => Ok(sensor(&base.name)),
         }
     }
 }
 
-/// The name of the sensor of the azimuth.
-fn sensor(base: &Base) -> String {
-    format!("{}_azimuth", base.name)
+/// The name of the sensor of the azimuth of a rotor.
+pub(super) fn sensor(rotor: &str) -> String {
+    format!("{rotor}_azimuth")
 }
+
+/// Unit of the sensor of the azimuth.
+pub(super) const SENSOR_UNIT: &str = "rad";
 
 /// The hub node with its body, its bearing on the shaft and the drive; `senses` if other parts
 /// need the azimuth.
@@ -77,10 +79,10 @@ pub(super) fn cards(base: &Base, drive: &Drive, body: Option<&Lump>, senses: boo
     );
     if senses {
         cards.push(
-            Card::single(["sensors", &sensor(base)], base.line)
+            Card::single(["sensors", &sensor(&base.name)], base.line)
                 .with("quantity", "joint_angle")
                 .with("of", shaft)
-                .with("unit", "rad"),
+                .with("unit", SENSOR_UNIT),
         );
     }
     cards

@@ -17,8 +17,7 @@
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
-use super::base::{Base, Hinge, Local, Stop, Units, angles};
-use super::controls::signed;
+use super::base::{Base, Hinge, Local, Stop, Units, angles, signed};
 
 /// The law of the rotation about the first axis.
 fn law(force: String) -> Content {
@@ -37,9 +36,10 @@ pub(super) fn stop_moment(stop: &Stop, [x, v]: [&str; 2], units: &Units) -> Stri
             _ => format!("({} - {x})", signed(angle)),
         };
         let root = format!("sqrt({depth}^2 + {width})");
-        let contact = match stop.damping == 0.0 {
-            true => String::new(),
-            false => format!(" + {c}*(1 + {depth}/{root})*{v}"),
+        let contact = if stop.damping == 0.0 {
+            String::new()
+        } else {
+            format!(" + {c}*(1 + {depth}/{root})*{v}")
         };
         format!("{sign}{k}*({depth} + {root}){contact}")
     };

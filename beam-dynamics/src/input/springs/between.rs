@@ -152,12 +152,13 @@ fn spring_law(table: &Table<'_>, builder: &ModelBuilder, words: &str) -> Option<
 /// Springs and dampers along the axes.
 fn diagonal(stiffness: &Vector3<f64>, damping: &Vector3<f64>) -> Law<3> {
     let [stiffness, viscosity] = [stiffness, damping].map(Matrix3::from_diagonal);
-    match viscosity == Matrix3::zeros() {
-        true => Law::linear(stiffness),
-        false => LawKind::Viscoelastic {
+    if viscosity == Matrix3::zeros() {
+        Law::linear(stiffness)
+    } else {
+        LawKind::Viscoelastic {
             stiffness,
             viscosity,
         }
-        .into(),
+        .into()
     }
 }

@@ -7,7 +7,7 @@
 //! B = (t, f, t x f)
 //! ```
 //!
-//! takes the place of the axes of a blade.
+//! replaces the axes of a blade.
 
 use std::sync::Arc;
 

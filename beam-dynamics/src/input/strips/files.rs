@@ -36,7 +36,7 @@ keys! {
     /// A file of the aerodynamic blade, instead of `stations`; its format is recognized.
     pub(super) FILE: Option<String> = "file", [Text], optional, "\"AeroDyn15_blade.dat\"";
     /// Airfoils of the stations of `file`, in the order of their indices: names of `[airfoils]`,
-    /// built-in ones, or files, of which `*` stands for any letters.
+    /// built-in ones, or files, in whose names `*` is any letters.
     pub(super) AIRFOILS: Option<Vec<String>> = "airfoils", [Texts], optional,
         "[\"Cylinder\", \"polars/*.dat\"]";
     /// A file with all airfoils of the stations of `file`, such as a pc file of HAWC2.
@@ -215,18 +215,22 @@ impl Source<'_> {
 
     /// The largest span on the line \[m\].
     fn reach(&self, is_curved: bool) -> f64 {
-        match is_curved {
-            true => self.line.length,
-            false => (self.line.position)(self.line.length).x,
+        if is_curved {
+            self.line.length
+        } else {
+            (self.line.position)(self.line.length).x
         }
     }
 
     /// The arc length of a span; `None` outside of the line.
     fn arc_length(&self, span: f64, is_curved: bool) -> Option<f64> {
         let length = self.line.length;
-        let x = |at: f64| match is_curved {
-            true => at,
-            false => (self.line.position)(at).x,
+        let x = |at: f64| {
+            if is_curved {
+                at
+            } else {
+                (self.line.position)(at).x
+            }
         };
         let slack = DIGITS * length;
         let (low, high) = (x(0.0), x(length));
@@ -242,9 +246,10 @@ impl Source<'_> {
         // Halves of the length down to round-off.
         for _ in 0..60 {
             let middle = 0.5 * (from + to);
-            match x(middle) < span {
-                true => from = middle,
-                false => to = middle,
+            if x(middle) < span {
+                from = middle
+            } else {
+                to = middle
             }
         }
         Some(to)
@@ -256,12 +261,11 @@ impl Source<'_> {
             None => station.twist,
         };
         // A file by curved lengths has the line itself as reference.
-        let offset = match is_curved {
-            true => Vector3::zeros(),
-            false => {
-                let line = (self.line.position)(at);
-                Vector3::new(0.0, station.sweep - line.y, station.prebend - line.z)
-            }
+        let offset = if is_curved {
+            Vector3::zeros()
+        } else {
+            let line = (self.line.position)(at);
+            Vector3::new(0.0, station.sweep - line.y, station.prebend - line.z)
         };
         let (sin, cos) = twist.sin_cos();
         Placed {

@@ -65,9 +65,10 @@ pub(super) fn find(
     Some(Rotor {
         shaft,
         hub,
-        zero: match start[1].cross(&zero).norm() > ALONG {
-            true => zero,
-            false => Vector3::ith(start[1].iamin(), 1.0),
+        zero: if start[1].cross(&zero).norm() > ALONG {
+            zero
+        } else {
+            Vector3::ith(start[1].iamin(), 1.0)
         },
         start,
         inflow,
@@ -131,9 +132,10 @@ impl Rotor {
         Some(match &self.inflow.as_ref()?.kind {
             InflowKind::Annular(annular) => {
                 let inflow = annular.of_blades(blades, root);
-                match annular.is_skewed {
-                    true => StripInflow::Skewed(inflow),
-                    false => StripInflow::Annular(inflow),
+                if annular.is_skewed {
+                    StripInflow::Skewed(inflow)
+                } else {
+                    StripInflow::Annular(inflow)
                 }
             }
             InflowKind::Disk(_) => StripInflow::Disk,

@@ -89,21 +89,28 @@ pub(in crate::input) fn check(root: &Table<'_>, builder: &ModelBuilder) {
 }
 
 fn check_released(root: &Table<'_>) {
-    let start = |card: &str| match root.has(card) && root.is_table(card) {
-        true => root.table(card).and_then(|run| match run.is_text("start") {
-            true => run.text("start"),
-            false => None,
-        }),
-        false => None,
+    let start = |card: &str| {
+        if root.has(card) && root.is_table(card) {
+            root.table(card).and_then(|run| {
+                if run.is_text("start") {
+                    run.text("start")
+                } else {
+                    None
+                }
+            })
+        } else {
+            None
+        }
     };
     let mut starts = ["transient", "periodic"].into_iter().filter_map(start);
     if starts.any(|start| start != "given") {
         return;
     }
     for kind in ["load", "distributed_load"] {
-        let cards = match root.is_list(kind) {
-            true => root.tables(kind),
-            false => Vec::new(),
+        let cards = if root.is_list(kind) {
+            root.tables(kind)
+        } else {
+            Vec::new()
         };
         for load in cards {
             if load.has("release") && load.boolean("release") == Some(true) {

@@ -40,9 +40,10 @@ pub(super) fn read(
     context: Context<'_>,
     builder: &mut ModelBuilder,
 ) -> Vec<Option<Asked>> {
-    let cards = match table.has(&TARGET) {
-        true => table.tables(&TARGET),
-        false => Vec::new(),
+    let cards = if table.has(&TARGET) {
+        table.tables(&TARGET)
+    } else {
+        Vec::new()
     };
     let asked = cards.iter().map(|card| {
         let found = target(card, context, builder);
@@ -55,9 +56,10 @@ pub(super) fn read(
 fn target(card: &Table<'_>, context: Context<'_>, builder: &mut ModelBuilder) -> Option<Asked> {
     let name = card.get(&TARGET_NAME);
     let has_signal = card.require_item(&SIGNAL, &SIGNAL.schema.expected());
-    let signal = match has_signal.is_some() {
-        true => drives::read_signal(card, &SIGNAL.schema, builder.drives()),
-        false => None,
+    let signal = if has_signal.is_some() {
+        drives::read_signal(card, &SIGNAL.schema, builder.drives())
+    } else {
+        None
     };
     let (value, scale) = (card.get(&VALUE), card.get(&TARGET_SCALE));
     let wave = wave(card, context);

@@ -37,7 +37,7 @@ const PLACE: &str = "rotor,blade,strip,span [m],radius [m],azimuth [deg],x [m],y
 const SUMS: &str = "force x [N],force y [N],force z [N],moment x [N m],moment y [N m],\
     moment z [N m],rotor speed [rpm]";
 
-/// One row per strip of each group: its place, its flow and loads, its force and its moment about
+/// One row per strip of each group: its location, its flow and loads, its force and its moment about
 /// the center of the shaft, without a rotor about the origin, in the axes of the model. `lead` are the headings of the values that
 /// precede a group. Values that are not finite are empty.
 pub(in crate::output) fn air_csv<'a>(
@@ -67,9 +67,12 @@ fn cells(state: &AirState) -> Vec<String> {
     values.extend(QUANTITIES.map(|(_, quantity, factor)| factor * quantity.of(state)));
     values.extend(state.force.iter().chain(&state.moment));
     values.push(state.rotor.map_or(f64::NAN, |rotor| rotor.turning * RPM));
-    let cell = |value: f64| match value.is_finite() {
-        true => number(value),
-        false => String::new(),
+    let cell = |value: f64| {
+        if value.is_finite() {
+            number(value)
+        } else {
+            String::new()
+        }
     };
     row.extend(values.into_iter().map(cell));
     row

@@ -60,9 +60,10 @@ pub(in crate::output) fn rotor_text(states: &[AirState]) -> String {
 }
 
 fn short(value: f64) -> String {
-    match value.is_finite() {
-        true => short_number(value, DIGITS),
-        false => "-".to_owned(),
+    if value.is_finite() {
+        short_number(value, DIGITS)
+    } else {
+        "-".to_owned()
     }
 }
 

@@ -26,9 +26,10 @@ pub(super) fn displaced(
 ) -> Vec<Vector3<f64>> {
     let sizes = mode.displacements.iter().map(|v| v.norm());
     let largest = sizes.fold(0.0, f64::max);
-    let scale = match largest > 0.0 {
-        true => DISPLACED * structure.size() / largest,
-        false => 0.0,
+    let scale = if largest > 0.0 {
+        DISPLACED * structure.size() / largest
+    } else {
+        0.0
     };
     let moved = base.iter().zip(&mode.displacements);
     moved

@@ -89,9 +89,10 @@ impl BucklingPlot {
     fn frame(&self, mode: &Shown) -> [f64; 2] {
         let width = self.column() - MARGINS[0] - MARGINS[1];
         let height = width * mode.extent.aspect(mode.view);
-        match height > TALLEST {
-            true => [width * TALLEST / height, TALLEST],
-            false => [width, height],
+        if height > TALLEST {
+            [width * TALLEST / height, TALLEST]
+        } else {
+            [width, height]
         }
     }
 
@@ -125,10 +126,7 @@ fn names(view: View, about: Option<usize>) -> [String; 2] {
 
 /// The axis of a view across which a rotation about another axis is drawn.
 fn across([first, second]: View, about: usize) -> usize {
-    match second == about {
-        true => first,
-        false => second,
-    }
+    if second == about { first } else { second }
 }
 
 /// The plane of a shape, and the axis about which it turns if it displaces nothing: the

@@ -28,9 +28,10 @@ pub fn buckling_text(result: &BucklingResult) -> String {
         speed => format!(" at {} rpm", short_number(speed * RPM, DIGITS)),
     };
     let mut text = format!("{}\n\nCritical loads{at_speed}\n\n", result.name);
-    match result.modes.is_empty() {
-        true => text.push_str("  none was found\n"),
-        false => text.push_str(&aligned(&rows(result))),
+    if result.modes.is_empty() {
+        text.push_str("  none was found\n")
+    } else {
+        text.push_str(&aligned(&rows(result)))
     }
     if !result.remarks.is_empty() {
         text.push_str("\nRemarks\n");
@@ -56,9 +57,10 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
         let (node, moved) = moves_most(mode);
         let label = result.nodes.get(node).map_or("", |node| &node.label);
         let mut row = vec![(index + 1).to_string(), short_number(mode.factor, DIGITS)];
-        row.push(match mode.is_rotation() {
-            true => format!("{label} (turns)"),
-            false => label.to_owned(),
+        row.push(if mode.is_rotation() {
+            format!("{label} (turns)")
+        } else {
+            label.to_owned()
         });
         // Adding zero removes the sign of a negative zero.
         let rounded = moved.map(|value| (1e3 * value).round() / 1e3 + 0.0);
@@ -72,9 +74,10 @@ fn rows(result: &BucklingResult) -> Vec<Vec<String>> {
 /// Index of the node of the largest displacement, the first of equal ones, and this displacement;
 /// if no node is displaced, the node of the largest rotation, and this rotation.
 fn moves_most(mode: &BucklingMode) -> (usize, [f64; 3]) {
-    let vectors = match mode.is_rotation() {
-        true => &mode.rotations,
-        false => &mode.displacements,
+    let vectors = if mode.is_rotation() {
+        &mode.rotations
+    } else {
+        &mode.displacements
     };
     let moved = vectors.iter().enumerate().rev();
     let most = moved.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm()));

@@ -53,9 +53,10 @@ pub(super) const PROPELLER_CP: Column = column("CP", "-", |at| at.performance.pr
 pub(super) const EFFICIENCY: Column = column("efficiency", "-", |at| {
     let found = at.performance.propeller();
     // Thrust and power of opposite signs give no efficiency.
-    match found.thrust > 0.0 && found.power > 0.0 {
-        true => found.efficiency,
-        false => f64::NAN,
+    if found.thrust > 0.0 && found.power > 0.0 {
+        found.efficiency
+    } else {
+        f64::NAN
     }
 });
 pub(super) const LIFTING_CT: Column = column("CT", "-", |at| at.performance.helicopter().thrust);

@@ -15,9 +15,10 @@ const LOADS: &str = "part,speed [m/s],rotor speed [rpm],pitch [deg],azimuth [deg
 
 /// A number, or nothing if it is not finite.
 fn cell(value: f64) -> String {
-    match value.is_finite() {
-        true => number(value),
-        false => String::new(),
+    if value.is_finite() {
+        number(value)
+    } else {
+        String::new()
     }
 }
 

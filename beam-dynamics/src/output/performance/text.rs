@@ -99,9 +99,10 @@ fn heading(columns: &[Column], scales: &[(&str, f64)], is_controlled: bool) -> V
 }
 
 fn shown(value: f64) -> String {
-    match value.is_finite() {
-        true => short_number(value, DIGITS),
-        false => "-".to_owned(),
+    if value.is_finite() {
+        short_number(value, DIGITS)
+    } else {
+        "-".to_owned()
     }
 }
 

@@ -33,9 +33,10 @@ pub fn periodic_text(result: &PeriodicResult) -> String {
         text.push_str(&format!("  note: {remark}\n"));
     }
     text.push_str(&passes(result));
-    let ending = match result.is_periodic {
-        true => "the motion repeats",
-        false => "the motion does not repeat",
+    let ending = if result.is_periodic {
+        "the motion repeats"
+    } else {
+        "the motion does not repeat"
     };
     text.push_str(&format!(
         "{ending}; {} periods were integrated\n",

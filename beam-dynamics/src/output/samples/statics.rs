@@ -28,13 +28,12 @@ fn step(factor: f64) -> StaticStep {
     let point = |s: f64| {
         let turned = angle * s / LENGTH;
         let side = 0.002 * factor * (s * s + LENGTH * s);
-        match angle.abs() < 1e-12 {
-            true => Vector3::new(s, side, 0.0),
-            false => {
-                let radius = LENGTH / angle;
-                let up = radius * (1.0 - turned.cos());
-                Vector3::new(radius * turned.sin(), side, up)
-            }
+        if angle.abs() < 1e-12 {
+            Vector3::new(s, side, 0.0)
+        } else {
+            let radius = LENGTH / angle;
+            let up = radius * (1.0 - turned.cos());
+            Vector3::new(radius * turned.sin(), side, up)
         }
     };
     let attitude = |s: f64| vector::to_rotation(&Vector3::new(0.0, -angle * s / LENGTH, 0.0));

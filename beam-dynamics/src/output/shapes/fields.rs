@@ -54,9 +54,12 @@ impl<'a> Still<'a> {
             let size = |v: &[Complex<f64>; 3]| v.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
             vectors.iter().map(size).fold(0.0, f64::max)
         };
-        let scale = |wanted: f64, found: f64| match found > 0.0 {
-            true => wanted / found,
-            false => f64::INFINITY,
+        let scale = |wanted: f64, found: f64| {
+            if found > 0.0 {
+                wanted / found
+            } else {
+                f64::INFINITY
+            }
         };
         let displaced = scale(
             DISPLACED * self.structure.size(),

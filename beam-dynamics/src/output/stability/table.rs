@@ -35,9 +35,10 @@ pub fn stability_csv(result: &StabilityResult) -> String {
                 row.push(optional(root.damping_ratio()));
                 row.push(optional(root.multiplier.map(|own| own.re)));
                 row.push(optional(root.multiplier.map(|own| own.im)));
-                row.push(match root.is_neutral {
-                    true => "azimuth".to_owned(),
-                    false => word(root.is_unstable()),
+                row.push(if root.is_neutral {
+                    "azimuth".to_owned()
+                } else {
+                    word(root.is_unstable())
                 });
                 row
             })

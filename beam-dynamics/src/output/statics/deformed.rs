@@ -58,9 +58,10 @@ impl DeformedPlot {
             let step = &result.steps[index];
             let is_last = index + 1 == result.steps.len();
             let part = index as f64 / result.steps.len() as f64;
-            let (width, color) = match is_last {
-                true => (LINE, CATEGORIES[5]),
-                false => (THIN, sequential(0.15 + 0.75 * part)),
+            let (width, color) = if is_last {
+                (LINE, CATEGORIES[5])
+            } else {
+                (THIN, sequential(0.15 + 0.75 * part))
             };
             let moved: Vec<_> = structure
                 .positions

@@ -61,10 +61,7 @@ impl Floors {
 
 /// A value without its round-off.
 pub(super) fn clean(value: f64, floor: f64) -> f64 {
-    match value.abs() <= floor {
-        true => 0.0,
-        false => value,
-    }
+    if value.abs() <= floor { 0.0 } else { value }
 }
 
 /// A vector whose components have no round-off.

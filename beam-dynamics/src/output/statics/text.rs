@@ -34,7 +34,7 @@ Convention
   charge          free charge of an electrode
   air             thrust along the axis of the hub, torque about it and power, of the air on
                   the blades; coefficients of torque and power of rotors and propellers are
-                  of what the shaft provides
+                  of the torque that the shaft provides
   s               arc position along the undeformed blade or line of beams, from its root
 ";
 
@@ -151,19 +151,18 @@ fn displacement_table(
     (step, floors): (&StaticStep, &Floors),
 ) -> (&'static str, String) {
     let all: Vec<_> = (0..result.nodes.len()).collect();
-    let (title, nodes) = match all.len() <= MOST_NODES {
-        true => ("Displacements", all),
-        false => {
-            let ends = structure.members.iter().flat_map(|member| {
-                let stations = structure.stations(member);
-                let ends = [stations.first(), stations.last()];
-                ends.map(|end| end.map(|end| end.1))
-            });
-            let mut ends: Vec<_> = ends.flatten().collect();
-            ends.sort_unstable();
-            ends.dedup();
-            ("Displacements of ends", ends)
-        }
+    let (title, nodes) = if all.len() <= MOST_NODES {
+        ("Displacements", all)
+    } else {
+        let ends = structure.members.iter().flat_map(|member| {
+            let stations = structure.stations(member);
+            let ends = [stations.first(), stations.last()];
+            ends.map(|end| end.map(|end| end.1))
+        });
+        let mut ends: Vec<_> = ends.flatten().collect();
+        ends.sort_unstable();
+        ends.dedup();
+        ("Displacements of ends", ends)
     };
     let mut rows = vec![
         cells(&["node", "", "displacement", "", "", "rotation", ""]),
@@ -243,9 +242,10 @@ fn reaction_table(result: &StaticResult, (step, floors): (&StaticStep, &Floors))
             .nodes
             .get(reaction.node)
             .map_or("", |node| &node.label);
-        let name = match reaction.joint.contains(label) {
-            true => reaction.joint.clone(),
-            false => format!("{} on {label}", reaction.joint),
+        let name = if reaction.joint.contains(label) {
+            reaction.joint.clone()
+        } else {
+            format!("{} on {label}", reaction.joint)
         };
         let mut row = vec![name];
         let both: [Vector3<f64>; 2] = [

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
 
-/// A table of comma-separated values. Each row is handed to the system separately, so that no row
+/// A table of comma-separated values. Each row is written by one call of the system, so that no row
 /// is lost if the run is killed.
 #[derive(Debug)]
 pub(super) struct CsvRows {

@@ -11,13 +11,14 @@ pub fn effort_text(effort: &Effort) -> String {
         of => format!("{:.2} a step", count as f64 / of as f64),
     };
     let row = |name: &str, value: String, note: String| vec![name.to_owned(), value, note];
-    let length = match effort.least_step == effort.most_step {
-        true => seconds(effort.least_step),
-        false => format!(
+    let length = if effort.least_step == effort.most_step {
+        seconds(effort.least_step)
+    } else {
+        format!(
             "{} to {}",
             seconds(effort.least_step),
             seconds(effort.most_step)
-        ),
+        )
     };
     let counts = [
         row("steps", effort.steps.to_string(), format!("of {length}")),
@@ -66,9 +67,10 @@ fn times(effort: &Effort) -> String {
     let heading = ["phase", "time [s]", "share [%]", "per iteration [us]"];
     let mut rows = vec![heading.map(str::to_owned).to_vec()];
     for (name, time) in phases.into_iter().chain([rest, whole]) {
-        let share = match effort.total_time > 0.0 {
-            true => format!("{:.1}", 100.0 * time / effort.total_time),
-            false => "-".to_owned(),
+        let share = if effort.total_time > 0.0 {
+            format!("{:.1}", 100.0 * time / effort.total_time)
+        } else {
+            "-".to_owned()
         };
         let each = match effort.iterations {
             0 => "-".to_owned(),

@@ -42,10 +42,11 @@ impl<'a> Grids<'a> {
         let text = std::fs::read_to_string(&path).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));
         for (at, file) in text.lines().filter_map(entry) {
-            match at <= time {
-                true => self.series.add(at, file),
+            if at <= time {
+                self.series.add(at, file)
+            } else {
                 // A missing file is not an error.
-                false => drop(std::fs::remove_file(folder.join(file))),
+                drop(std::fs::remove_file(folder.join(file)))
             }
         }
     }

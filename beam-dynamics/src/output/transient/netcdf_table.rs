@@ -87,9 +87,10 @@ impl<'a> Cursor<'a> {
     }
 
     fn offset(&mut self) -> Option<usize> {
-        match self.is_wide {
-            true => usize::try_from(u64::from_be_bytes(*self.take(8)?.first_chunk()?)).ok(),
-            false => self.whole(),
+        if self.is_wide {
+            usize::try_from(u64::from_be_bytes(*self.take(8)?.first_chunk()?)).ok()
+        } else {
+            self.whole()
         }
     }
 

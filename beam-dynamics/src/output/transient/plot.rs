@@ -259,9 +259,12 @@ impl TimePlot {
     /// Lines of the runs, if there are several.
     fn legend_of_runs(&self) -> Option<Legend> {
         let count = self.runs.len();
-        let stroke = |run: usize| match self.is_by_run() {
-            true => of_run(run, count),
-            false => of_tone(run),
+        let stroke = |run: usize| {
+            if self.is_by_run() {
+                of_run(run, count)
+            } else {
+                of_tone(run)
+            }
         };
         let entries = self.runs.iter().enumerate();
         let entries = entries.map(|(run, name)| (name.clone(), Sample::Line(stroke(run))));
@@ -273,13 +276,15 @@ impl TimePlot {
     fn legend(&self, panel: &Curves) -> Legend {
         let entry = |(column, name): (usize, &String)| {
             let mut curves = panel.curves.iter().filter(|curve| curve.column == column);
-            let name = match curves.all(|curve| curve.pieces.is_empty()) {
-                true => format!("{name} (no numbers)"),
-                false => name.clone(),
+            let name = if curves.all(|curve| curve.pieces.is_empty()) {
+                format!("{name} (no numbers)")
+            } else {
+                name.clone()
             };
-            match self.is_by_run() {
-                true => (name, Sample::None),
-                false => (name, Sample::Line(of_column(column))),
+            if self.is_by_run() {
+                (name, Sample::None)
+            } else {
+                (name, Sample::Line(of_column(column)))
             }
         };
         let columns = panel.columns.iter().enumerate();
@@ -447,8 +452,9 @@ fn tight(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
-    match low < high {
-        true => [low, high],
-        false => range([low, high], 0.0),
+    if low < high {
+        [low, high]
+    } else {
+        range([low, high], 0.0)
     }
 }

@@ -120,9 +120,10 @@ fn nearest_column(name: &str, known: &[String]) -> String {
         return format!("did you mean \"{near}\"?");
     }
     let shown: Vec<_> = known.iter().take(SHOWN).map(String::as_str).collect();
-    let more = match known.len() > SHOWN {
-        true => format!(" and {} more", known.len() - SHOWN),
-        false => String::new(),
+    let more = if known.len() > SHOWN {
+        format!(" and {} more", known.len() - SHOWN)
+    } else {
+        String::new()
     };
     format!("columns: {}{more}", shown.join(", "))
 }

@@ -35,9 +35,10 @@ impl TimeTable {
         let is_table = ["csv", "nc"]
             .iter()
             .any(|ending| path.extension() == Some(ending.as_ref()));
-        let bytes = match is_table {
-            true => read_bytes(path).map_err(|error| cannot_read(path, &error))?,
-            false => Vec::new(),
+        let bytes = if is_table {
+            read_bytes(path).map_err(|error| cannot_read(path, &error))?
+        } else {
+            Vec::new()
         };
         Self::parse(&bytes, path)
     }
@@ -140,9 +141,10 @@ fn parse_csv(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> {
         }
         for (column, value) in columns.iter_mut().zip(record) {
             let value = value.trim();
-            let number = match value.is_empty() {
-                true => Ok(f64::NAN),
-                false => value.parse(),
+            let number = if value.is_empty() {
+                Ok(f64::NAN)
+            } else {
+                value.parse()
             };
             column.push(number.map_err(|_| {
                 unreadable(
@@ -183,9 +185,10 @@ fn parse_netcdf(bytes: &[u8], path: &Path) -> Result<TimeTable, RunFileProblem> 
     let content = Content::parse(bytes).ok_or_else(|| unreadable(path, foreign))?;
     Ok(TimeTable {
         file: path.display().to_string(),
-        title: match content.title.is_empty() {
-            true => TimeTable::run_name(path),
-            false => content.title,
+        title: if content.title.is_empty() {
+            TimeTable::run_name(path)
+        } else {
+            content.title
         },
         headings: content.headings,
         columns: content.columns,

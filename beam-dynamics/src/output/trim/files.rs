@@ -2,6 +2,7 @@
 
 use shared_geom::files::{OutputProblem, make_folder};
 
+use super::json::trim_json;
 use super::table::trim_csv;
 use super::text::trim_text;
 use crate::output::Written;
@@ -11,21 +12,27 @@ use shared_geom::figure::{Panel, PanelPlot};
 
 const TABLE: &str = "trim.csv";
 const TEXT: &str = "trim.txt";
+const JSON: &str = "trim.json";
 const PLOT: [&str; 2] = ["trim.png", "trim.svg"];
 
-/// Writes `NAME.trim.csv`, `NAME.trim.txt` and, of a sweep, the figure `NAME.trim.png` and `.svg`.
+/// Writes `NAME.trim.csv`, `NAME.trim.txt`, with `json` `NAME.trim.json`, and, of a sweep, the
+/// figure `NAME.trim.png` and `.svg`.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be made.
 pub fn write_trim(
     result: &TrimResult,
     location: &ResultLocation,
+    json: bool,
 ) -> Result<Written, OutputProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
-    results.remove([TABLE, TEXT].into_iter().chain(PLOT));
+    results.remove([TABLE, TEXT, JSON].into_iter().chain(PLOT));
     results.text(TABLE, &trim_csv(result))?;
     results.text(TEXT, &trim_text(result))?;
+    if json {
+        results.text(JSON, &trim_json(result))?;
+    }
     results.figures(PLOT, || plot(result))?;
     Ok(results.written)
 }

@@ -33,9 +33,10 @@ fn row(result: &TrimResult, point: &TrimPoint) -> Vec<String> {
         row.extend([0, 1].map(|k| number(pair.map(|pair| pair[k]))));
     }
     row.push(point.iterations.to_string());
-    row.push(match point.residual.is_finite() {
-        true => format!("{:.3e}", point.residual),
-        false => String::new(),
+    row.push(if point.residual.is_finite() {
+        format!("{:.3e}", point.residual)
+    } else {
+        String::new()
     });
     row.push(match point.failure {
         None => "met".to_owned(),

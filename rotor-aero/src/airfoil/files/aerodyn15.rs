@@ -376,9 +376,10 @@ fn row(line: &Line<'_>, columns: &Columns, notes: &mut Notes) -> Option<Row> {
 /// A number; absent for the word `Default`.
 fn default_or(line: usize, name: &str, value: &str, notes: &mut Notes) -> Option<f64> {
     let word = value.trim_matches('"');
-    match word.eq_ignore_ascii_case("default") {
-        true => None,
-        false => notes.number(line, name, word),
+    if word.eq_ignore_ascii_case("default") {
+        None
+    } else {
+        notes.number(line, name, word)
     }
 }
 

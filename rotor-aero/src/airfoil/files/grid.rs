@@ -8,7 +8,7 @@ use super::notes::Notes;
 /// Angles this far beyond half a turn are rounded numbers of the half turn [rad].
 const ROUNDED: f64 = 2e-4;
 
-/// Tables that begin or end this close to half a turn are closed there, if asked for [rad].
+/// Tables that begin or end this close to half a turn are closed there, if requested [rad].
 const ALMOST: f64 = 0.01;
 
 /// Ends of a whole turn that differ by more are remarked [-].

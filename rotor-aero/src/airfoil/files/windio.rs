@@ -111,9 +111,10 @@ fn airfoil(item: &Node, stated: Option<Unit>, notes: &mut Notes) -> Vec<ReadAirf
 fn named(name: &str, airfoils: Vec<(String, ReadAirfoil)>) -> Vec<ReadAirfoil> {
     let is_one = airfoils.len() == 1;
     let named = airfoils.into_iter().map(|(configuration, mut airfoil)| {
-        airfoil.data.name = match is_one {
-            true => name.to_owned(),
-            false => full_name(name, &configuration),
+        airfoil.data.name = if is_one {
+            name.to_owned()
+        } else {
+            full_name(name, &configuration)
         };
         airfoil
     });

@@ -74,7 +74,7 @@ impl Status {
 #[derive(Debug)]
 pub(in crate::cli) struct Outcome {
     pub status: Status,
-    /// The report, if one is to be shown.
+    /// The report, if it is shown.
     pub report: String,
     /// The result files.
     pub files: Vec<PathBuf>,

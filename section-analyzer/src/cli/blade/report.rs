@@ -12,7 +12,7 @@ use crate::output::{Remark, ReportPage, SolvedSpan, SolvedStation, SpanFiles};
 /// Part of a layer that is cut or filled from which there is a remark [-].
 const CUT: f64 = 0.01;
 
-/// What the report shows besides the sections.
+/// Contents of the report besides the sections.
 #[derive(Debug)]
 pub(super) struct Request {
     /// The modes of the blade.
@@ -130,7 +130,7 @@ fn poor_cells(span: &SolvedSpan<'_>) -> Option<Remark> {
     Some(Remark {
         text: format!(
             "cells of poor shape, up to {most} in a section, near which results are less accurate; \
-             the reports of the sections have their places"
+             the reports of the sections have their positions"
         ),
         sections: poor
             .iter()

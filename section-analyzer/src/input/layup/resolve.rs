@@ -41,7 +41,7 @@ impl<'a> Resolver<'a> {
             let to = self.arc(layer.line, &layer.to, &mut places)?;
             let perimeter = self.outline.perimeter();
             let width = (to - from) * perimeter;
-            // between other places there may be no room
+            // other layers may leave no length between them
             let is_between = [&layer.from, &layer.to]
                 .iter()
                 .any(|place| matches!(place.form, PlaceForm::Named(_)));

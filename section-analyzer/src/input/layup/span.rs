@@ -66,7 +66,7 @@ impl SpanStation {
     }
 }
 
-/// The stations that are wanted.
+/// The requested stations.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Selection {
     /// The stations of the file, or else chosen ones: all positions at which the layup has

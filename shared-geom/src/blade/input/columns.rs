@@ -111,9 +111,10 @@ impl<'a> Columns<'a> {
     /// The numbers of the column `name`, times `factor`.
     fn column(&self, name: &str, key: &str, factor: f64) -> Option<Vec<f64>> {
         let Some(index) = self.index(name) else {
-            let purpose = match name == key {
-                true => ", and \"columns\" names no other".to_owned(),
-                false => format!(" (for \"{key}\")"),
+            let purpose = if name == key {
+                ", and \"columns\" names no other".to_owned()
+            } else {
+                format!(" (for \"{key}\")")
             };
             let problem = InputProblem::NoColumn {
                 file: self.file.clone(),
@@ -188,18 +189,15 @@ fn unit(table: &Table<'_>, text: &str, dimension: Dimension) -> Option<f64> {
     match units::parse_as(text, dimension) {
         Ok(unit) => Some(unit.factor),
         Err(problem) => {
-            match is_weight(text, dimension) {
-                true => {
-                    let unit = text.to_owned();
-                    table.note(&COLUMN_UNIT, &InputProblem::Weight { unit });
-                }
-                false => {
-                    let key = COLUMN_UNIT.name().to_owned();
-                    table.note(
-                        &COLUMN_UNIT,
-                        &crate::document::DocumentProblem::Unit { key, problem },
-                    );
-                }
+            if is_weight(text, dimension) {
+                let unit = text.to_owned();
+                table.note(&COLUMN_UNIT, &InputProblem::Weight { unit });
+            } else {
+                let key = COLUMN_UNIT.name().to_owned();
+                table.note(
+                    &COLUMN_UNIT,
+                    &crate::document::DocumentProblem::Unit { key, problem },
+                );
             }
             None
         }

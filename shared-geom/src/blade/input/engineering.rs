@@ -49,21 +49,30 @@ pub(super) struct Parts {
 /// The engineering properties of `numbers`; the others are zero.
 pub(super) fn read(numbers: &impl Numbers, parts: Parts) -> Option<Engineering> {
     // Every key is read, so that all problems are reported.
-    let of = |requested: bool, (key, dimension)| match requested {
-        true => numbers.number(key, dimension),
-        false => Some(0.0),
+    let of = |requested: bool, (key, dimension)| {
+        if requested {
+            numbers.number(key, dimension)
+        } else {
+            Some(0.0)
+        }
     };
     let stiffness = STIFFNESS.map(|key| of(parts.stiffness, key));
     let mass = MASS.map(|key| of(parts.mass, key));
     let requested = [parts.stiffness, parts.stiffness, parts.mass];
-    let center = |i: usize| match requested[i] {
-        true => numbers.point(CENTERS[i]),
-        false => Some(Vector2::zeros()),
+    let center = |i: usize| {
+        if requested[i] {
+            numbers.point(CENTERS[i])
+        } else {
+            Some(Vector2::zeros())
+        }
     };
     let centers = [center(0), center(1), center(2)];
-    let angle = |i: usize| match [parts.stiffness, parts.mass][i] {
-        true => numbers.angle(ANGLES[i]),
-        false => Some(0.0),
+    let angle = |i: usize| {
+        if [parts.stiffness, parts.mass][i] {
+            numbers.angle(ANGLES[i])
+        } else {
+            Some(0.0)
+        }
     };
     let angles = [angle(0), angle(1)];
     let [ea, gay, gaz, gj, eiy, eiz] = stiffness;

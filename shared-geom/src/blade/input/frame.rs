@@ -55,23 +55,20 @@ impl Frame {
             return None;
         }
         let named = root.is_text(&FRAME);
-        let (axes, nose_up) = match named {
-            true => {
-                let convention = root.word(FRAME.name(), &FRAMES).map(|index| NAMED[index]);
-                let nose_up = match convention {
-                    Some(Convention::BeamDyn) => -1.0,
-                    _ => 1.0,
-                };
-                (convention.map(Convention::axes), nose_up)
+        let (axes, nose_up) = if named {
+            let convention = root.word(FRAME.name(), &FRAMES).map(|index| NAMED[index]);
+            let nose_up = match convention {
+                Some(Convention::BeamDyn) => -1.0,
+                _ => 1.0,
+            };
+            (convention.map(Convention::axes), nose_up)
+        } else {
+            let words = root.texts(FRAME.name())?;
+            let axes = directions(&words);
+            if axes.is_none() {
+                root.note(&FRAME, &InputProblem::Directions { found: words });
             }
-            false => {
-                let words = root.texts(FRAME.name())?;
-                let axes = directions(&words);
-                if axes.is_none() {
-                    root.note(&FRAME, &InputProblem::Directions { found: words });
-                }
-                (axes, 1.0)
-            }
+            (axes, 1.0)
         };
         let order = order(root, named);
         let declared = root.get(&TWIST_POSITIVE);
@@ -217,9 +214,10 @@ fn order(root: &Table<'_>, named: bool) -> Option<[usize; 6]> {
 /// Whether all stations are property files, which state their axes and their point.
 fn has_only_property_files(root: &Table<'_>) -> bool {
     // Other forms of the key are reported by the reader of the stations.
-    let stations = match root.is_list(&STATION) {
-        true => root.tables(&STATION),
-        false => Vec::new(),
+    let stations = if root.is_list(&STATION) {
+        root.tables(&STATION)
+    } else {
+        Vec::new()
     };
     !stations.is_empty() && stations.iter().all(|station| station.has(&SECTION_FILE))
 }

@@ -184,10 +184,11 @@ fn through(
     let (first, second, third) = (first?, second?, third?);
     let (twist, frame) = (twist?, frame?);
     let point = |i: usize| {
-        let position = match by_axes {
-            true => frame.vector([first[i], second[i], third[i]]),
+        let position = if by_axes {
+            frame.vector([first[i], second[i], third[i]])
+        } else {
             // Sweep is positive aft.
-            false => Vector3::new(first[i], -second[i], third[i]),
+            Vector3::new(first[i], -second[i], third[i])
         };
         LinePoint {
             position,

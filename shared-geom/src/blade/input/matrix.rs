@@ -68,28 +68,25 @@ pub(super) fn upper() -> impl Iterator<Item = (usize, usize)> {
 /// by row; in Helicoid's axes, SI.
 pub(super) fn read(table: &Table<'_>, kind: Kind, frame: Option<&Frame>) -> Option<Matrix6<f64>> {
     let key = kind.key();
-    let written = match table.is_nested(key) {
-        true => {
-            let rows = table.rows(key, 6, 6)?;
-            Matrix6::from_fn(|i, j| rows[i][j])
+    let written = if table.is_nested(key) {
+        let rows = table.rows(key, 6, 6)?;
+        Matrix6::from_fn(|i, j| rows[i][j])
+    } else {
+        let numbers = table.quantities(key, Dimension::NUMBER)?;
+        if numbers.len() != 21 {
+            let problem = InputProblem::Count {
+                key: key.to_owned(),
+                found: numbers.len(),
+                expected: "6 rows of 6 numbers, or the 21 of the upper triangle",
+            };
+            table.note(key, &problem);
+            return None;
         }
-        false => {
-            let numbers = table.quantities(key, Dimension::NUMBER)?;
-            if numbers.len() != 21 {
-                let problem = InputProblem::Count {
-                    key: key.to_owned(),
-                    found: numbers.len(),
-                    expected: "6 rows of 6 numbers, or the 21 of the upper triangle",
-                };
-                table.note(key, &problem);
-                return None;
-            }
-            let mut matrix = Matrix6::zeros();
-            for ((i, j), number) in upper().zip(numbers) {
-                (matrix[(i, j)], matrix[(j, i)]) = (number, number);
-            }
-            matrix
+        let mut matrix = Matrix6::zeros();
+        for ((i, j), number) in upper().zip(numbers) {
+            (matrix[(i, j)], matrix[(j, i)]) = (number, number);
         }
+        matrix
     };
     let frame = frame?;
     let document = table.document();

@@ -21,9 +21,10 @@ fn fits(validator: &Validator, text: &str) -> Result<(), String> {
     let value = serde_json::to_value(table).expect("TOML without dates");
     let errors = validator.iter_errors(&value).map(|e| e.to_string());
     let errors: Vec<_> = errors.collect();
-    match errors.is_empty() {
-        true => Ok(()),
-        false => Err(errors.join("\n")),
+    if errors.is_empty() {
+        Ok(())
+    } else {
+        Err(errors.join("\n"))
     }
 }
 

@@ -39,9 +39,10 @@ pub(super) fn moved(
         angle => wrench::rotate(matrix, &about_x(-angle)),
     };
     let by = settings.reference_point? - axes.point;
-    Some(match by == Vector2::zeros() {
-        true => turned,
-        false => wrench::shift(&turned, &Vector3::new(0.0, by.x, by.y)),
+    Some(if by == Vector2::zeros() {
+        turned
+    } else {
+        wrench::shift(&turned, &Vector3::new(0.0, by.x, by.y))
     })
 }
 

@@ -80,9 +80,12 @@ impl StationFile<'_> {
         };
         let is_ours = note_foreign(self.table, parts, self.settings);
         let engineering = self.engineering(parts);
-        let of = |kind: Kind, requested: bool| match requested {
-            true => Some(Vec::new()),
-            false => self.matrices(kind),
+        let of = |kind: Kind, requested: bool| {
+            if requested {
+                Some(Vec::new())
+            } else {
+                self.matrices(kind)
+            }
         };
         let stiffness = of(Kind::Stiffness, parts.stiffness);
         let mass = of(Kind::Mass, parts.mass);
@@ -124,21 +127,21 @@ impl StationFile<'_> {
 
     /// As [`StationFile::numbers`]; zeros without the column.
     fn optional(&self, key: &str, dimension: Dimension) -> Option<Vec<f64>> {
-        match self.columns.has(key) {
-            true => self.numbers(key, dimension),
-            false => Some(vec![0.0; self.columns.locations().len()]),
+        if self.columns.has(key) {
+            self.numbers(key, dimension)
+        } else {
+            Some(vec![0.0; self.columns.locations().len()])
         }
     }
 
     fn arc_lengths(&self, root_at: f64) -> Option<Vec<f64>> {
         let has = |key: &str| self.columns.has(key);
-        let numbers = match either(self.table, has, "arc_length", "eta")? {
-            true => self.numbers("arc_length", Dimension::LENGTH)?,
-            false => {
-                let parts = self.numbers("eta", Dimension::NUMBER)?;
-                let length = self.settings.length?;
-                parts.into_iter().map(|eta| eta * length).collect()
-            }
+        let numbers = if either(self.table, has, "arc_length", "eta")? {
+            self.numbers("arc_length", Dimension::LENGTH)?
+        } else {
+            let parts = self.numbers("eta", Dimension::NUMBER)?;
+            let length = self.settings.length?;
+            parts.into_iter().map(|eta| eta * length).collect()
         };
         Some(numbers.into_iter().map(|s| s - root_at).collect())
     }

@@ -64,14 +64,16 @@ fn in_place(table: &Table<'_>, settings: &Settings<'_>, sources: &Sources) -> Op
         }
         None => None,
     };
-    let point = match table.has(&STATION_POINT) {
-        true => frame::point(table, STATION_POINT.name(), settings.frame),
-        false => settings.reference_point,
+    let point = if table.has(&STATION_POINT) {
+        frame::point(table, STATION_POINT.name(), settings.frame)
+    } else {
+        settings.reference_point
     };
     let angle = table.get(&ANGLE);
-    let matrices = match table.has(&SECTION_FILE) {
-        true => of_section(table, sources).map(Matrices::Section),
-        false => in_table(table, settings).map(|(k, m)| Matrices::Written(Box::new([k, m]))),
+    let matrices = if table.has(&SECTION_FILE) {
+        of_section(table, sources).map(Matrices::Section)
+    } else {
+        in_table(table, settings).map(|(k, m)| Matrices::Written(Box::new([k, m])))
     };
     let matrices = matrices?;
     let axes = StationAxes {
@@ -152,9 +154,12 @@ fn in_table(table: &Table<'_>, settings: &Settings<'_>) -> Option<(Matrix6<f64>,
     };
     let is_ours = note_foreign(table, parts, settings);
     let engineering = engineering::read(&InTable(table), parts);
-    let of = |kind: Kind, requested: bool| match requested {
-        true => Some(Matrix6::zeros()),
-        false => matrix::read(table, kind, settings.frame),
+    let of = |kind: Kind, requested: bool| {
+        if requested {
+            Some(Matrix6::zeros())
+        } else {
+            matrix::read(table, kind, settings.frame)
+        }
     };
     let stiffness = of(Kind::Stiffness, parts.stiffness);
     let mass = of(Kind::Mass, parts.mass);
@@ -175,16 +180,18 @@ impl Numbers for InTable<'_> {
     }
 
     fn point(&self, (key, _): (&'static str, [&'static str; 2])) -> Option<Vector2<f64>> {
-        match self.0.has(key) {
-            true => frame::point(self.0, key, Some(&Frame::ours())),
-            false => Some(Vector2::zeros()),
+        if self.0.has(key) {
+            frame::point(self.0, key, Some(&Frame::ours()))
+        } else {
+            Some(Vector2::zeros())
         }
     }
 
     fn angle(&self, key: &'static str) -> Option<f64> {
-        match self.0.has(key) {
-            true => self.0.quantity(key, Dimension::ANGLE),
-            false => Some(0.0),
+        if self.0.has(key) {
+            self.0.quantity(key, Dimension::ANGLE)
+        } else {
+            Some(0.0)
         }
     }
 }

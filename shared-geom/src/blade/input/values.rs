@@ -51,9 +51,10 @@ fn curvature(item: &Item<'_>) -> Option<Vector3<f64>> {
             let found = parse_any(text).map(|(_, dimension)| dimension);
             found != Ok(INVERSE_LENGTH)
         });
-        item.quantity(match of_angle {
-            true => Dimension::CURVATURE,
-            false => INVERSE_LENGTH,
+        item.quantity(if of_angle {
+            Dimension::CURVATURE
+        } else {
+            INVERSE_LENGTH
         })
     };
     // Every number is read, so that each wrong one is noted.

@@ -17,7 +17,7 @@ keys! {
     /// Its
     /// mass.
     MASS: f64 = "mass", [Positive(Dimension::MASS)], required, "2";
-    /// Place of its center.
+    /// Position of its center.
     CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)], or "[0, 0, 0]" = Vector3::zeros(), "[1, 0, 0]";
     /// Side of the part.
     SIDE: usize = "side", [Word(&["left", "middle", "right"])], required, "\"left\"";

@@ -116,17 +116,18 @@ impl<'a> Tables<'a> {
         };
         let line = lines.last().map_or(0, |line| line.number);
         let what = format!("the table of stations, after {found} of {stated}");
-        let problem = match found < stated {
-            true => ExchangeProblem::CutShort {
+        let problem = if found < stated {
+            ExchangeProblem::CutShort {
                 what,
                 expected: format!("{stated} stations, as the header states"),
-            },
-            false => ExchangeProblem::Other {
+            }
+        } else {
+            ExchangeProblem::Other {
                 what: "the table of stations".to_owned(),
                 found: format!("{found} stations"),
                 expected: format!("{stated}, as the header states"),
                 help: "correct the line \"# stations:\" of the header, or remove it".to_owned(),
-            },
+            }
         };
         problems.push(line, &problem);
     }

@@ -129,9 +129,10 @@ fn bad_mark(text: &str, in_set: bool) -> ExchangeProblem {
     ExchangeProblem::Other {
         what: "the head of a sub-set".to_owned(),
         found: format!("\"{}\"", shortened(text)),
-        expected: match in_set {
-            true => "$, its number and the number of its rows".to_owned(),
-            false => "a set (#1) before it".to_owned(),
+        expected: if in_set {
+            "$, its number and the number of its rows".to_owned()
+        } else {
+            "a set (#1) before it".to_owned()
         },
         help: "write #1 for the set, and below it $1 20 for a sub-set of 20 rows".to_owned(),
     }
@@ -211,9 +212,10 @@ fn columns(
     };
     match is_full {
         Some(full) if full != (reported.len() == FULL.len()) => {
-            let (stated, expected) = match full {
-                true => ("FPM 1", FULL.len()),
-                false => ("no FPM 1", CLASSIC.len()),
+            let (stated, expected) = if full {
+                ("FPM 1", FULL.len())
+            } else {
+                ("no FPM 1", CLASSIC.len())
             };
             problems.push(
                 first.number,

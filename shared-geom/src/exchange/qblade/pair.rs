@@ -46,9 +46,10 @@ fn found(file: &Path, ending: &str) -> String {
     let names = candidates(file, ending);
     let names = names.iter().filter_map(|path| path.file_name()?.to_str());
     let names: Vec<_> = names.map(|name| format!("\"{name}\"")).collect();
-    match names.is_empty() {
-        true => format!("no .{ending} file"),
-        false => format!("several .{ending} files: {}", names.join(", ")),
+    if names.is_empty() {
+        format!("no .{ending} file")
+    } else {
+        format!("several .{ending} files: {}", names.join(", "))
     }
 }
 

@@ -140,9 +140,10 @@ fn rows(
     let names = names(&all[head]);
     let has_matrices = names.iter().any(|name| name == "K11");
     let is_euler = is_euler(all, has_matrices, problems)?;
-    let columns = match has_matrices {
-        true => None,
-        false => Some(columns(&all[head], &names, problems)?),
+    let columns = if has_matrices {
+        None
+    } else {
+        Some(columns(&all[head], &names, problems)?)
     };
     let width = if has_matrices { MATRICES } else { names.len() };
     let mut rows = numbers(&all[head + 1..], width, problems);
@@ -199,9 +200,10 @@ fn is_euler(all: &[Line<'_>], has_matrices: bool, problems: &mut Problems) -> Op
         ("0", false) => Some(Some(true)),
         ("1" | "2", _) if has_matrices == (line.first() == "2") => Some(Some(false)),
         (found, _) => {
-            let (expected, of) = match has_matrices {
-                true => ("2", "matrices: K11 to K66"),
-                false => ("0 or 1", "engineering properties: EIx, EIy"),
+            let (expected, of) = if has_matrices {
+                ("2", "matrices: K11 to K66")
+            } else {
+                ("0 or 1", "engineering properties: EIx, EIy")
             };
             let problem = ExchangeProblem::Other {
                 what: "BEAMTYPE".to_owned(),

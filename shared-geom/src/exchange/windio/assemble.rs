@@ -81,9 +81,10 @@ fn damping(times: &[f64; 6]) -> Option<BladeDamping> {
         return None;
     }
     let equal = ours.iter().all(|&time| time == ours[0]);
-    Some(match equal {
-        true => BladeDamping::Proportional(ours[0]),
-        false => BladeDamping::Times(ours),
+    Some(if equal {
+        BladeDamping::Proportional(ours[0])
+    } else {
+        BladeDamping::Times(ours)
     })
 }
 
@@ -107,9 +108,10 @@ pub fn line(
         let grows = points
             .windows(2)
             .all(|two| two[1].position.x > two[0].position.x);
-        let (course, words) = match grows {
-            true => (Course::Spline, "a cubic spline"),
-            false => (Course::Polyline, "straight lines"),
+        let (course, words) = if grows {
+            (Course::Spline, "a cubic spline")
+        } else {
+            (Course::Polyline, "straight lines")
         };
         remarks.push(format!(
             "the course of the reference axis between its {} points is not stated: {words}",

@@ -42,9 +42,10 @@ pub(in crate::exchange) fn write_into(
         problems,
     };
     let mut lost = plain.lost.clone();
-    match is_version_1(existing) {
-        true => version_1(&mut editor, blade, &plain, &mut lost),
-        false => version_2(&mut editor, blade, &plain, &mut lost),
+    if is_version_1(existing) {
+        version_1(&mut editor, blade, &plain, &mut lost)
+    } else {
+        version_2(&mut editor, blade, &plain, &mut lost)
     }
     let Editor { lines, problems } = editor;
     let text = problems.finish(Some(lines))?.join("\n");

@@ -75,9 +75,10 @@ impl Encoding<'_> {
                 let end = offsets.filter(|other| *other > offset).min();
                 let end = end.unwrap_or(appended.bytes.len());
                 let part = appended.bytes.get(offset..end).ok_or(missing)?;
-                match appended.is_raw {
-                    true => self.unpacked(part)?,
-                    false => self.unpacked(&decoded(part)?)?,
+                if appended.is_raw {
+                    self.unpacked(part)?
+                } else {
+                    self.unpacked(&decoded(part)?)?
                 }
             }
         };
@@ -131,9 +132,10 @@ impl Encoding<'_> {
             .split_at_checked(width)
             .ok_or(FileProblem::CutOff("the size of an array"))?;
         let add = |sum: u64, byte: &u8| (sum << 8) | u64::from(*byte);
-        let number = match self.is_big_endian {
-            true => number.iter().fold(0, add),
-            false => number.iter().rev().fold(0, add),
+        let number = if self.is_big_endian {
+            number.iter().fold(0, add)
+        } else {
+            number.iter().rev().fold(0, add)
         };
         Ok((usize::try_from(number).unwrap_or(usize::MAX), rest))
     }

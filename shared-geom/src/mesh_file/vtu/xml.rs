@@ -85,10 +85,7 @@ impl<'a> Elements<'a> {
     pub fn appended(&mut self, is_raw: bool) -> Result<Option<Appended<'a>>, FileProblem> {
         self.to(b"_")
             .ok_or(FileProblem::CutOff("the \"_\" of the appended data"))?;
-        let bytes = match is_raw {
-            true => self.rest(),
-            false => self.text(),
-        };
+        let bytes = if is_raw { self.rest() } else { self.text() };
         Ok(Some(Appended { bytes, is_raw }))
     }
 

@@ -78,12 +78,11 @@ pub(super) fn malformed(error: &serde_json::Error, text: &str, file: &str) -> Di
         line: None,
     };
     check.table(fields, FILE, &whole);
-    match check.problems.is_empty() {
-        true => words(json::reason(error)),
-        false => {
-            check.problems.sort_by_line();
-            check.problems
-        }
+    if check.problems.is_empty() {
+        words(json::reason(error))
+    } else {
+        check.problems.sort_by_line();
+        check.problems
     }
 }
 

@@ -145,8 +145,8 @@ impl EnergyWatch {
         });
         let balance = self.largest.balance;
         let words = format!(
-            "from t = {} s on the energy grows beyond what was put in: until {} s by {} J, of which \
-             {} J were put in by loads and drives{index}",
+            "from t = {} s on the energy grows by more than the input: until {} s by {} J, of which \
+             {} J are the input by loads and drives{index}",
             short(since),
             short(self.largest.time),
             short(balance.growth),

@@ -1,7 +1,7 @@
 //! Angular momentum as the formulas see it: in axes that follow the long axis of a body.
 //!
-//! The formulas integrate numbers, and what is constant in one set of axes is not in
-//! another. A slender body that no moment turns about its long axis e keeps `e . gamma`,
+//! The formulas integrate components, and a vector that is constant in one set of axes is
+//! not constant in another. A slender body that no moment turns about its long axis e keeps `e . gamma`,
 //! but its components in space change all the time: the error of the formula, of the size
 //! of the large moment of inertia, is divided by the small one, the spin drifts, and grows
 //! without bound where a step turns the body by about half the root of the ratio of the

@@ -166,7 +166,7 @@ fn a_bar_that_an_angle_begins_to_turn_does_so_at_once() {
     }
 }
 
-// A bar of length l = 1 at rest is struck at its end with the velocity v = c l across: its center
+// A bar of length l = 1 at rest is given at its end the velocity v = c l across: its center
 // then has v/4 and it turns at -3 v/(2 l), by the impulse m v/4 and with the energy m v^2/8. The
 // driven bar then has c l/2 and c; about its fixed end it needs the angular impulse (J + m l^2/4)
 // c, and l m v/4 for the other. Round-off of one solution.

@@ -378,7 +378,7 @@ fn hinges_out_of_line_hold_a_door() {
     }
 }
 
-// A parallelogram whose bars come to lie in one line after a quarter of a turn: there they can
+// A parallelogram whose bars are in one line after a quarter of a turn: there they can
 // continue as an antiparallelogram too, and the reactions of their joints are undetermined.
 #[test]
 fn steps_that_end_in_a_singular_position_are_reported() {

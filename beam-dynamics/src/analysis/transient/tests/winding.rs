@@ -106,7 +106,7 @@ fn a_hinge_that_cannot_follow_its_relaxed_angle_ends_the_run() {
 }
 
 // Relaxed at 2 rad and turned away from it at 12 rad/s, J = 1, k = 20: phi - 2 = -A sin(w t + e)
-// with w = sqrt(20), A = sqrt(4 + 144/20) = 3.347, sin e = 2/A comes to -pi at 0.1293 s, where
+// with w = sqrt(20), A = sqrt(4 + 144/20) = 3.347, sin e = 2/A reaches -pi at 0.1293 s, where
 // phi is -1.14 rad only. At 10 rad/s, A = 3, it swings: phi goes to 5 rad at 0.89 s,
 // beyond half a turn of the undeformed state.
 #[test]

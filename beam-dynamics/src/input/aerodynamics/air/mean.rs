@@ -122,9 +122,10 @@ pub(super) fn read(
             let mean = mean?;
             let constant = complete(table, mean.constant, [height, length])?;
             let mean = DrivenWind { constant, ..mean };
-            Some(match mean.is_steady() {
-                true => Mean::Steady(mean.at(0.0)),
-                false => Mean::Function(Arc::new(mean)),
+            Some(if mean.is_steady() {
+                Mean::Steady(mean.at(0.0))
+            } else {
+                Mean::Function(Arc::new(mean))
             })
         }
     };
@@ -164,9 +165,12 @@ fn frame(table: &Table<'_>, default_up: &Vector3<f64>) -> Option<WindFrame> {
 /// The mean wind without reference height and length.
 fn driven(table: &Table<'_>, catalog: &drives::Catalog) -> Option<DrivenWind> {
     let driven = [&SPEED, &TURN, &UPFLOW, &VERTICAL];
-    let [speed, turn, upflow, vertical] = driven.map(|key| match table.has(key) {
-        true => drives::read(table, &key.schema, catalog),
-        false => Some(Drive::Constant(0.0)),
+    let [speed, turn, upflow, vertical] = driven.map(|key| {
+        if table.has(key) {
+            drives::read(table, &key.schema, catalog)
+        } else {
+            Some(Drive::Constant(0.0))
+        }
     });
     let constant = constant(table);
     let speed = speed?;

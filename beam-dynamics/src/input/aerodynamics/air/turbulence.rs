@@ -163,9 +163,10 @@ fn with_mean(table: &Table<'_>, mean: Option<&MeanCard>) -> bool {
     }
     let problem = AirProblem::Value {
         key: "speed",
-        found: match changes {
-            true => "a number that changes in the wind of [air]".to_owned(),
-            false => format!("{} m/s in the wind of [air]", found.speed),
+        found: if changes {
+            "a number that changes in the wind of [air]".to_owned()
+        } else {
+            format!("{} m/s in the wind of [air]", found.speed)
         },
         expected: "no mean wind, since the file contains it".to_owned(),
         help: "keep the directions of [air.wind], and remove its speed, shear and table",
@@ -221,9 +222,10 @@ fn mann(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Option<MannInput>>
     };
     let points = counts(table, points)?;
     let speed = speed.or_else(|| mean.map(|mean| mean.speed(hub_height, 0.0)))?;
-    let order = match reversed {
-        false => PlaneOrder::FirstArrives,
-        true => PlaneOrder::LastArrives,
+    let order = if reversed {
+        PlaneOrder::LastArrives
+    } else {
+        PlaneOrder::FirstArrives
     };
     Some(Some(MannInput {
         files: [None, None, None],

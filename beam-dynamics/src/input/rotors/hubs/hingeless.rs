@@ -1,4 +1,4 @@
-//! Hingeless hub: blades that bend in flap and lag; hinges with springs may stand for flexures.
+//! Hingeless hub: blades that bend in flap and lag; hinges with springs may represent flexures.
 
 use super::HubKind;
 use crate::input::rotors::base::Base;
@@ -20,6 +20,6 @@ fn problem(base: &Base) -> Option<RotorProblem> {
     is_free.then(|| RotorProblem::Hub {
         hub: KIND.word,
         found: "has a flap or lag hinge without \"stiffness\"".to_owned(),
-        expected: "the stiffness of the flexure for which it stands, or the kind \"articulated\"",
+        expected: "the stiffness of the flexure that it represents, or the kind \"articulated\"",
     })
 }

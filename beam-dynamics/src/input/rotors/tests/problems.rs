@@ -158,6 +158,56 @@ fn wrong_rotors_are_explained() {
     }
 }
 
+/// Controls of an articulated rotor, the key and its text, and the problem that is reported there.
+const CONTROLS: &[(&str, &str)] = &[
+    (
+        "collective = \"= 2*tt\"",
+        "\"collective\": unknown name \"tt\" at letter 4 of \"2*tt\"\n  help: did you mean \"t\"?",
+    ),
+    (
+        "sine = \"= 1 + \"",
+        "\"sine\": letter 6 of \"1 +\" is the end, expected a number, a name or \"(\"",
+    ),
+    (
+        "individual = [0, \"= rate*t\", 0]",
+        "\"individual\": unknown name \"rate\" at letter 2 of \"rate*t\"\n  help: known names: a, pi, r_azimuth, rat, t",
+    ),
+    (
+        "harmonic = [{ order = 2, cosine = \"none\" }]",
+        "unknown signal \"none\" under \"cosine\"",
+    ),
+    (
+        "cosine = { kind = \"ramp\", to = 1 }",
+        "\"end\" is missing in the drive under \"cosine\"",
+    ),
+    (
+        "sine = \"= height\"",
+        "\"sine\" follows \"height\", whose second derivative is unknown",
+    ),
+];
+
+// Each problem once, at the line where the control is written, and nothing else.
+#[test]
+fn wrong_controls_are_reported_where_they_are_written() {
+    let keys = "torque = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
+    let cards = format!(
+        "{RUN}[drives.a]\nkind = \"ramp\"\nto = 1\nend = 1\n[sensors.height]\nquantity = \"position\"\n\
+         of = \"r/hub\"\ncomponent = \"z\"\n"
+    );
+    for (control, expected) in CONTROLS {
+        let text = text(
+            "articulated",
+            &format!("{keys}[rotor.swashplate]\n{control}\n"),
+            &cards,
+        );
+        let line = 1 + text.lines().position(|line| line == *control).unwrap();
+        assert_eq!(
+            refused(&text),
+            format!("error: a.dynamics.toml:{line}: {expected}")
+        );
+    }
+}
+
 #[test]
 fn wrong_files_are_explained() {
     let sound = text("rigid", "speed = 300", RUN);

@@ -265,9 +265,12 @@ impl<'a> Pool<'a> {
     /// The profiles of a set; all airfoils with a thickness if none has a set.
     fn profiles(&mut self, set: usize, remarks: &mut Vec<String>) -> Option<Vec<Arc<Airfoil>>> {
         let has_sets = self.entries.iter().any(|entry| entry.set.is_some());
-        let belongs = |entry: &Entry| match has_sets {
-            true => entry.set == Some(set),
-            false => entry.thickness.is_some(),
+        let belongs = |entry: &Entry| {
+            if has_sets {
+                entry.set == Some(set)
+            } else {
+                entry.thickness.is_some()
+            }
         };
         let indices: Vec<_> = (0..self.entries.len())
             .filter(|index| belongs(&self.entries[*index]))

@@ -19,9 +19,10 @@ pub(super) fn of_column(number: usize) -> Stroke {
 /// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, so that they
 /// remain visible below a later run that covers them.
 pub(super) fn of_run(run: usize, runs: usize) -> Stroke {
-    let above = match runs <= TONES {
-        true => runs - 1 - run.min(runs - 1),
-        false => 0,
+    let above = if runs <= TONES {
+        runs - 1 - run.min(runs - 1)
+    } else {
+        0
     };
     let width = WIDTH + 1.5 * above as f64;
     Stroke {
@@ -66,13 +67,12 @@ pub(super) fn thinned(points: &[[f64; 2]], x: [f64; 2], pixels: f64) -> Vec<[f64
         return points.to_vec();
     }
     let scale = pixels / (x[1] - x[0]);
-    match points.windows(2).all(|pair| pair[0][0] <= pair[1][0]) {
-        true => {
-            let pixel = |point: &[f64; 2]| ((point[0] - x[0]) * scale).floor();
-            let parts = points.chunk_by(|a, b| pixel(a) == pixel(b));
-            parts.flat_map(extremes).collect()
-        }
-        false => spaced(points, 0.5 / scale, pixels),
+    if points.windows(2).all(|pair| pair[0][0] <= pair[1][0]) {
+        let pixel = |point: &[f64; 2]| ((point[0] - x[0]) * scale).floor();
+        let parts = points.chunk_by(|a, b| pixel(a) == pixel(b));
+        parts.flat_map(extremes).collect()
+    } else {
+        spaced(points, 0.5 / scale, pixels)
     }
 }
 

@@ -29,7 +29,8 @@ const BEYOND: f64 = 2.0 * TEXT;
 /// Title for columns of a unit, as long as the length `space` of the axis allows
 /// \[figure pixels\]: `position y of tip [m]`, `position of tip [m]`, `position [m]`, or by the
 /// unit alone `length [m]`. `meanings` are texts such as `position y of tip`, empty if unknown; the
-/// name of a single one of the columns `names` represents a quantity that its unit does not state.
+/// name of a single one of the columns `names` is the title if its unit does not state the quantity
+/// and its meaning does not fit, as an expression.
 pub(super) fn title(names: &[String], meanings: &[String], unit: &str, space: f64) -> String {
     let unit = unit.replace('*', " ");
     let candidates = [
@@ -48,8 +49,8 @@ pub(super) fn title(names: &[String], meanings: &[String], unit: &str, space: f6
     }
     match (quantity(&unit), titles.last(), names) {
         (Some(quantity), ..) => format!("{quantity} [{unit}]"),
+        (None, _, [name]) => format!("{name} [{unit}]"),
         (None, Some(long), _) => long.clone(),
-        (None, None, [name]) => format!("{name} [{unit}]"),
         _ if unit == "-" => "number [-]".to_owned(),
         _ => format!("value [{unit}]"),
     }
@@ -110,6 +111,8 @@ mod tests {
         let names = ["count".to_owned()];
         assert_eq!(title(&names, &[String::new()], "-", 1e3), "count [-]");
         assert_eq!(title(&names, &[], "mm", 1e3), "length [mm]");
+        let expression = ["signal = 0.8*tilt + 0.25*rate".to_owned()];
+        assert_eq!(title(&names, &expression, "-", 150.0), "count [-]");
     }
 
     #[test]

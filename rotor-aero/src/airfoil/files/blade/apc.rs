@@ -161,9 +161,10 @@ fn transition(lines: &[Line<'_>], name: &str, notes: &mut Notes) -> Option<Trans
 /// The airfoils at a radius: linear over the transition.
 fn blend(radius: f64, first: &Transition, second: &Transition) -> StationAirfoil {
     let width = second.radius - first.radius;
-    let part = match width > 0.0 {
-        true => ((radius - first.radius) / width).clamp(0.0, 1.0),
-        false => f64::from(radius >= second.radius),
+    let part = if width > 0.0 {
+        ((radius - first.radius) / width).clamp(0.0, 1.0)
+    } else {
+        f64::from(radius >= second.radius)
     };
     let parts = [
         (first.name.clone(), 1.0 - part),

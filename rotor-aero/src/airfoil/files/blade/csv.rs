@@ -125,9 +125,10 @@ pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<Bl
             "twist is nose up, feather nose down; span begins at the root, radius at the axis";
         notes.wrong(first.number, ["the header", found, expected, help]);
     }
-    let origin = match has(Kind::Radius) {
-        true => SpanOrigin::RotationAxis,
-        false => SpanOrigin::Root,
+    let origin = if has(Kind::Radius) {
+        SpanOrigin::RotationAxis
+    } else {
+        SpanOrigin::Root
     };
     let separator = separator(first.text);
     let stations = rest

@@ -196,9 +196,10 @@ fn unit_of_flap(
     kinds: &[Kind],
     notes: &mut Notes,
 ) -> Option<Unit> {
-    match kinds.contains(&Kind::Flap) {
-        true => unit(line, names, kinds, Kind::Flap, notes),
-        false => Some(Unit::Degrees),
+    if kinds.contains(&Kind::Flap) {
+        unit(line, names, kinds, Kind::Flap, notes)
+    } else {
+        Some(Unit::Degrees)
     }
 }
 

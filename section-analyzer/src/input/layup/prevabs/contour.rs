@@ -88,7 +88,7 @@ pub(super) fn area(segments: &[&Segment<'_>], chain: &[(usize, bool)]) -> f64 {
     0.5 * around.map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>()
 }
 
-/// The points of a chain without the last one; long straight lines are divided if asked.
+/// The points of a chain without the last one; long straight lines are divided if `is_divided`.
 fn looped(segments: &[&Segment<'_>], chain: &[(usize, bool)], is_divided: bool) -> Loop {
     let length = |i: usize| {
         segments[i]

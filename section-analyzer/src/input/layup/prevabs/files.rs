@@ -73,7 +73,7 @@ pub(super) struct Element<'x> {
 }
 
 impl<'x> Element<'x> {
-    /// What it is known by.
+    /// Its id in the document.
     pub fn id(&self) -> NodeId {
         self.node.id()
     }

@@ -116,7 +116,7 @@ fn merged(plies: &[Vec<Ply>]) -> Vec<Vec<Option<usize>>> {
                 .iter()
                 .find(|pair| pair.1 == number)
                 .map(|pair| pair.0);
-            // rows before the next common one may stand before this layer
+            // rows before the next common one may precede this layer
             let end = common
                 .iter()
                 .find(|pair| pair.1 >= number)

@@ -9,8 +9,8 @@
 //!
 //! of the line between them, of length L, where cos is the cosine of the angle between line and
 //! normal. They meet where g < 0, and before a wall only where the layers of a side are thicker
-//! than the radius of its inscribed circle (lines between steep sides are no measure): each side owns half of the line, and what the other
-//! side leaves of its half.
+//! than the radius of its inscribed circle (lines between steep sides are no measure): each side owns half of the
+//! line, and the rest of the other half that the layers there leave.
 
 use super::super::super::distance;
 use super::outline::Outline;

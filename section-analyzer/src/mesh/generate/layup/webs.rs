@@ -1,4 +1,4 @@
-//! Where webs stand on the inner face of the wall.
+//! Ends of webs on the inner face of the wall.
 //!
 //! The boundaries of the plies of a web are parallels to the line between its two points
 //! A and B of the contour. The inner ends X of the columns at the arc lengths s with
@@ -35,7 +35,7 @@ pub(super) struct Standing {
 }
 
 impl Standing {
-    /// The arc lengths between which it stands on a side.
+    /// The arc lengths between which it meets a side.
     pub fn range(&self, side: usize) -> [f64; 2] {
         let stations = &self.stations[side];
         let (first, last) = (stations[0], stations[stations.len() - 1]);

@@ -131,7 +131,7 @@ fn around(blocks: &[Points], list: Element<'_>, notes: &mut Notes) -> Option<Poi
         );
         return None;
     };
-    // the numbers of points may stand above the first list
+    // the numbers of points may precede the first list
     let upper: Points = match upper[0].iter().all(|n| *n > 1.5) {
         true => upper[1..].to_vec(),
         false => upper.clone(),

@@ -1,0 +1,115 @@
+//! The names that expressions of rotors may use, from all cards of the input.
+//!
+//! An expression of a control becomes part of an expression of another card. Its problems are
+//! therefore found before, where it is written, with the names that the other cards will find.
+
+use std::cell::Cell;
+
+use shared_geom::document::schema::KeySchema;
+use shared_geom::document::{Item, Table};
+use shared_geom::units;
+
+use super::keys::{COSINE, HARMONIC, NAME, PLATE, SINE, SWASHPLATE, TORQUE};
+use super::{KEY, shaft};
+use crate::elements::{Input, Sensor, Smoothness};
+use crate::input::drives::{self, Catalog, Measure, Read};
+use crate::input::{control, trim};
+use crate::model::Quantity;
+
+/// Names, first guesses and the start of runs.
+#[derive(Debug)]
+pub(super) struct Context {
+    catalog: Catalog,
+    /// Whether a control was wrong, which has been noted.
+    wrong: Cell<bool>,
+    /// Whether nodes have given velocities at the start of a run.
+    pub moves: bool,
+    /// First guesses of numbers that a trim finds, by their names.
+    pub guesses: Vec<(String, f64)>,
+}
+
+impl Context {
+    /// The context of the top table of a file.
+    pub fn of(root: &Table<'_>) -> Self {
+        let mut catalog = drives::read_named(root);
+        declare(root, &mut catalog);
+        trim::declare(root, &mut catalog);
+        for rotor in root.tables(KEY).iter().filter(|rotor| senses(rotor)) {
+            if let Some(name) = rotor.get(&NAME) {
+                let (name, read) = azimuth(&name);
+                catalog.add_readable(name, read);
+            }
+        }
+        let is_given = |card: &str| {
+            let run = root.is_table(card).then(|| root.table(card)).flatten();
+            run.is_some_and(|run| {
+                !run.is_text("start") || run.text("start").as_deref() == Some("given")
+            })
+        };
+        Self {
+            catalog,
+            wrong: Cell::new(false),
+            moves: ["transient", "periodic"].into_iter().any(is_given),
+            guesses: trim::guesses(root),
+        }
+    }
+
+    /// Whether the value of a key is a drive or an expression without problems, and as smooth as
+    /// it must be; notes the problems.
+    pub fn accepts(&self, item: &Item<'_>, key: &KeySchema, needed: Smoothness) -> bool {
+        let signal = drives::signal_of(item, key.dimension(), &self.catalog);
+        let is_right = signal.is_some_and(|signal| drives::is_smooth(item, &signal, needed));
+        if !is_right {
+            self.wrong.set(true);
+        }
+        is_right
+    }
+
+    /// Whether all values so far were accepted.
+    pub fn is_sound(&self) -> bool {
+        !self.wrong.get()
+    }
+
+    /// Whether there is a drive of the name.
+    pub fn has_drive(&self, name: &str) -> bool {
+        self.catalog.has(name)
+    }
+}
+
+/// Makes the names of control cards readable, and of their copies in `[[repeat]]`.
+fn declare(table: &Table<'_>, catalog: &mut Catalog) {
+    control::declare(table, catalog);
+    if table.is_list("repeat") {
+        for repeat in table.tables("repeat") {
+            declare(&repeat, catalog);
+        }
+    }
+}
+
+/// Whether a rotor has a sensor of its azimuth.
+fn senses(rotor: &Table<'_>) -> bool {
+    if !rotor.has(&TORQUE) || !rotor.is_table(&SWASHPLATE) {
+        return false;
+    }
+    let swashplate = rotor.table(&SWASHPLATE);
+    swashplate.is_some_and(|table| {
+        let is_cyclic = table.has(&COSINE) || table.has(&SINE) || table.has(&HARMONIC);
+        is_cyclic && !table.has(&PLATE)
+    })
+}
+
+/// Name and scalar of the azimuth of a rotor.
+fn azimuth(rotor: &str) -> (String, Option<Read>) {
+    let name = shaft::sensor(rotor);
+    let quantity = Quantity::new("joint angle", shaft::SENSOR_UNIT, 1.0);
+    let scalar = Sensor::output(&name, quantity);
+    let unit = units::parse(shaft::SENSOR_UNIT).ok();
+    let read = unit.map(|unit| Read {
+        input: Input {
+            scalar,
+            unit: unit.factor,
+        },
+        measure: Measure::Unit(unit),
+    });
+    (name, read)
+}
