@@ -24,6 +24,7 @@ mod expand;
 mod files;
 mod help;
 mod identify;
+mod linearize;
 mod performance;
 mod periodic;
 mod plot;
@@ -137,6 +138,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Stability { files, results } => {
             stability::stability_of_files(&files, &results, terminal)
         }
+        Command::Linearize(arguments) => linearize::linearize_files(&arguments, terminal),
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }

@@ -54,9 +54,10 @@ pub(super) struct PlacedRotor {
     speed: Option<f64>,
 }
 
-/// Appends the cards of all rotors; `None` if one is wrong, which has been noted.
-pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
-    let rotors = read(document)?;
+/// Appends the cards of all rotors; `None` if one is wrong, which has been noted. Drives that are
+/// `inputs` of a linear model are names in expressions.
+pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Option<Vec<PlacedRotor>> {
+    let rotors = read(document, inputs)?;
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
         name: rotor.base.name,
@@ -74,7 +75,7 @@ pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
 /// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
 /// been noted.
 pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
-    let rotors = read(document)?;
+    let rotors = read(document, &[])?;
     let text = |cards: &[Card]| {
         let cards: Vec<_> = cards.iter().map(ToString::to_string).collect();
         cards.join("\n")
@@ -89,14 +90,14 @@ pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String>
 }
 
 /// The rotors of a document with their cards.
-fn read(document: &Document) -> Option<Vec<(Rotor, Vec<Card>)>> {
+fn read(document: &Document, inputs: &[String]) -> Option<Vec<(Rotor, Vec<Card>)>> {
     let root = document.root_of(&DYNAMICS_FILE);
     let repeated = note_repeated(&root);
     if !root.has(KEY) {
         return (!repeated).then(Vec::new);
     }
     let tables = root.tables(KEY);
-    let context = context(&root);
+    let context = context(&root, inputs);
     let read: Vec<_> = tables
         .iter()
         .map(|table| card::read(table, &context))
@@ -148,13 +149,14 @@ fn note_repeated(table: &Table<'_>) -> bool {
 }
 
 /// The names of drives, whether runs begin with given velocities, and first guesses of a trim.
-fn context(root: &Table<'_>) -> Context {
-    let drives = match root.is_table("drives") {
+fn context(root: &Table<'_>, inputs: &[String]) -> Context {
+    let mut drives = match root.is_table("drives") {
         true => root
             .table("drives")
             .map_or_else(Vec::new, |drives| drives.keys()),
         false => Vec::new(),
     };
+    drives.retain(|name| !inputs.contains(name));
     let is_given = |card: &str| {
         let run = root.is_table(card).then(|| root.table(card)).flatten();
         run.is_some_and(|run| {
