@@ -52,6 +52,7 @@ mod fewer_modes;
 mod first_order;
 mod growing;
 pub mod identification;
+pub mod linear;
 mod modal_damping;
 pub mod modes;
 pub mod performance;

@@ -7,6 +7,7 @@ use crate::assembly::System;
 use crate::model::{Conditions, Drive, Loading, NamingAxes, TurningFrame};
 
 mod columns;
+mod linear;
 mod mode_style;
 mod performance;
 mod periodic;
@@ -16,6 +17,7 @@ mod transient;
 mod trim;
 
 pub use columns::{Column, ElectrodeQuantity, Every, OutputSettings, Quantity};
+pub use linear::{LinearAbout, LinearPort, LinearSettings};
 pub use mode_style::{FrequencyUnit, ModeStyle, Words};
 pub use performance::{
     Abscissa, MachineKind, OperatingSetting, PerformanceCase, PerformancePart, PerformanceRequest,

@@ -24,6 +24,7 @@ mod expand;
 mod files;
 mod help;
 mod identify;
+mod linearize;
 mod performance;
 mod periodic;
 mod plot;
@@ -146,6 +147,7 @@ fn run_command(command: Command, terminal: &mut Terminal<'_>) -> u8 {
         Command::Stability { files, results } => {
             stability::stability_of_files(&files, &results, terminal)
         }
+        Command::Linearize(arguments) => linearize::linearize_files(&arguments, terminal),
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }

@@ -15,10 +15,9 @@ use shared_geom::files::name_without;
 
 use crate::assembly::{massless, mechanism};
 use crate::case::{
-    BucklingSettings, Model, ModesSettings, OutputSettings, PeriodicSettings, StabilitySettings,
-    StaticSettings, TransientSettings, TrimMethod, TrimSettings,
+    BucklingSettings, LinearSettings, Model, ModesSettings, OutputSettings, PeriodicSettings,
+    StabilitySettings, StaticSettings, TransientSettings, TrimMethod, TrimSettings,
 };
-use crate::elements::Element;
 use crate::result::Measured;
 
 mod aerodynamics;
@@ -52,12 +51,14 @@ mod inline_properties;
 mod internal_forces;
 mod joints;
 mod laws;
+mod linear;
 mod loads;
 mod measured;
 mod misplaced_keys;
 mod modal_damping;
 mod mode_style;
 mod moments;
+mod motion_remarks;
 mod naming;
 mod nodes;
 mod number;
@@ -101,6 +102,7 @@ pub use frames::FrameProblem;
 pub use heat::HeatProblem;
 pub use joints::JointProblem;
 pub use laws::LawProblem;
+pub use linear::{LinearChoice, LinearProblem, LinearRequest};
 pub use loads::LoadProblem;
 pub use number::short_number;
 pub use performance::{
@@ -118,6 +120,7 @@ pub use trim::TrimProblem;
 
 use analyses::Analyses;
 use builder::ModelBuilder;
+use motion_remarks::{free_hinges, free_parts, sampled};
 use rotors::PlacedRotor;
 
 /// Ending of the names of dynamics inputs.
@@ -144,6 +147,8 @@ pub struct Input {
     pub trim: Option<TrimSettings>,
     /// The requested stability over a parameter; `None` without `[stability]`.
     pub stability: Option<StabilitySettings>,
+    /// The requested linear model, if one was requested.
+    pub linear: Option<LinearSettings>,
     /// Measurements to compare with the result; empty if there are none.
     pub measured: Measured,
     /// Names of the joints without a spring, whose motion only inertia and loads resist.
@@ -175,7 +180,38 @@ pub fn read(path: &Path) -> Result<Input, Diagnostics> {
 pub fn read_with(path: &Path, given: &[(String, f64)]) -> Result<Input, Diagnostics> {
     let text = read_text(path)?;
     FileKind::Dynamics.require(path, &text)?;
-    checked(&text, (&path.display().to_string(), &name_of(path)), given)
+    let names = (&*path.display().to_string(), &*name_of(path));
+    checked(&text, names, (given, None))
+}
+
+/// Reads it with the inputs and outputs of a linear model, and with other values of the parameters
+/// that are `given`, each in the declared unit.
+///
+/// # Errors
+/// As [`read`], and unknown names of the request.
+pub fn read_linear(
+    path: &Path,
+    request: &LinearRequest,
+    given: &[(String, f64)],
+) -> Result<Input, Diagnostics> {
+    let text = read_text(path)?;
+    FileKind::Dynamics.require(path, &text)?;
+    parse_linear(&text, path, request, given)
+}
+
+/// Reads it from its text, as if it were at `path`.
+///
+/// # Errors
+/// As [`read_linear`].
+pub fn parse_linear(
+    text: &str,
+    path: impl AsRef<Path>,
+    request: &LinearRequest,
+    given: &[(String, f64)],
+) -> Result<Input, Diagnostics> {
+    let path = path.as_ref();
+    let names = (&*path.display().to_string(), &*name_of(path));
+    checked(text, names, (given, Some(request)))
 }
 
 /// Reads and checks the text of a dynamics input, as if it were at `path`: the paths of its files
@@ -197,7 +233,8 @@ pub fn parse_with(
     given: &[(String, f64)],
 ) -> Result<Input, Diagnostics> {
     let path = path.as_ref();
-    checked(text, (&path.display().to_string(), &name_of(path)), given)
+    let names = (&*path.display().to_string(), &*name_of(path));
+    checked(text, names, (given, None))
 }
 
 /// The text of the dynamics input at `path`, with other cards in place of each `[[rotor]]`.
@@ -214,20 +251,22 @@ pub fn expanded(path: &Path) -> Result<String, Diagnostics> {
 }
 
 /// The input in the text of a file, whose results are called `name`, with other values of the
-/// parameters that are `given`.
+/// parameters that are `given`, and a linear model if it is requested.
 fn checked(
     text: &str,
     (file, name): (&str, &str),
-    given: &[(String, f64)],
+    (given, linear): (&[(String, f64)], Option<&LinearRequest>),
 ) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
     declare(&document, &document.root_of(&schema::DYNAMICS_FILE), given);
     // Problems of rotors are reported with all others.
-    let rotors = rotors::expand(&mut document);
+    let inputs = linear.map_or(&[][..], |request| request.inputs.as_slice());
+    let rotors = rotors::expand(&mut document, inputs);
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
-    let input = cards(&document, name, rotors.as_deref().unwrap_or_default());
+    let placed = rotors.as_deref().unwrap_or_default();
+    let input = cards(&document, name, (placed, linear));
     let input = input.filter(|_| rotors.is_some());
     let mut input = document.finish(input)?;
     let mut problems = Diagnostics::new();
@@ -270,46 +309,6 @@ fn checked(
     problems.into_result(input)
 }
 
-/// Remarks on the parts of a free model that can move; on their absence if there are none.
-fn free_parts(found: &[mechanism::Mechanism]) -> Vec<String> {
-    if found.is_empty() {
-        return vec!["\"free\" of [modes] has no effect: all parts are held".to_owned()];
-    }
-    let of_zero = |part| format!("{part}: each a mode of frequency zero");
-    found.iter().map(of_zero).collect()
-}
-
-/// Remark on joints that can move without a spring.
-fn free_hinges(names: &[String]) -> Option<String> {
-    let [first, others @ ..] = names else {
-        return None;
-    };
-    let others = match others.len() {
-        0 => String::new(),
-        count => format!(" and {count} more"),
-    };
-    Some(format!(
-        "joint \"{first}\"{others} can move freely: at rest this is a motion of frequency zero"
-    ))
-}
-
-/// Remark on systems that sample, in analyses without time.
-fn sampled(model: &Model) -> Option<String> {
-    let elements = model.system.elements();
-    let mut names = elements
-        .filter(|one| one.memory().is_some())
-        .map(Element::label);
-    let first = names.next()?;
-    let others = match names.count() {
-        0 => String::new(),
-        count => format!(" and {count} more"),
-    };
-    Some(format!(
-        "\"{first}\"{others}, which samples, acts only in runs in time: in statics, buckling and \
-         modes its outputs are zero"
-    ))
-}
-
 /// The file's name without folder and ending, from which outputs are named.
 pub fn name_of(path: &Path) -> String {
     let is_rotor = path.to_string_lossy().ends_with(ROTOR_ENDING);
@@ -327,13 +326,19 @@ fn declare(document: &Document, root: &Table<'_>, given: &[(String, f64)]) {
 }
 
 /// Reads every card, in an order in which each finds the names that it uses.
-fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Option<Input> {
+fn cards(
+    document: &Document,
+    default_name: &str,
+    (rotors, linear): (&[PlacedRotor], Option<&LinearRequest>),
+) -> Option<Input> {
     let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
-    let _read = ["units", "parameters", "include", "rotor"].map(|key| root.has(key));
-    let mut drives = drives::read_named(&root);
+    let _read = ["units", "parameters", "include", "rotor", "output"].map(|key| root.has(key));
+    let inputs = linear.map_or(&[][..], |request| request.inputs.as_slice());
+    let mut drives = drives::read_named(&root, inputs);
     let control = control::declare(&root, &mut drives);
     let trim = trim::declare(&root, &mut drives);
+    let ports = linear.map(|request| linear::declare(&root, request, &mut drives, trim.as_ref()));
     let properties = properties::read(&root, &drives);
     let hub = hub::read(&root);
 
@@ -352,20 +357,14 @@ fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Opt
     let mut periodic = periodic::read(&root);
     let of_period = periodic.as_mut().and_then(Option::as_mut);
     let trim = trim::read(&root, trim, of_period, &mut builder);
-    let analyses = analyses::read(&root, periodic, trim);
+    let mut analyses = analyses::read(&root, periodic, trim);
     let measured = measured::read(&root);
-    let output = columns::read(&root, &builder);
+    let (linear, output) = outputs(&root, ports, analyses.as_mut(), &mut builder);
     root.finish_beside(&misplaced_keys::OF_FILE);
 
     builder.check(&root);
     transient::check(&root, &builder);
-    let times = analyses.as_ref().and_then(Analyses::times);
-    if let Some(times) = times {
-        check_run(document, &builder, times);
-    }
-    builder
-        .drives()
-        .check_start(document, times.map_or(0.0, |[start, _]| start));
+    check_times(document, &builder, analyses.as_ref());
     if let (Some(output), Some(analyses)) = (&output, &analyses) {
         columns::check(&root, output, analyses.transient.as_ref());
     }
@@ -379,6 +378,7 @@ fn cards(document: &Document, default_name: &str, rotors: &[PlacedRotor]) -> Opt
     let joints = joints.map(|(name, line)| (name.to_owned(), document.location(line)));
     let joint_locations = joints.collect();
     let mut input = finish(name, builder, analyses, measured?)?;
+    input.linear = linear?;
     input.node_locations = node_locations;
     input.joint_locations = joint_locations;
     input.model.gravity = gravity;
@@ -405,10 +405,33 @@ fn parts(root: &Table<'_>, builder: &mut ModelBuilder) {
     electrodes::read(root, builder);
 }
 
-/// Notes problems of loads and drives in a run from and to the given `times` \[s\].
-fn check_run(document: &Document, builder: &ModelBuilder, times: [f64; 2]) {
-    builder.drives().check_run(document, times);
-    control::check_run(document, builder, times);
+/// The linear model of declared ports, `Some(None)` without; and the output of runs, which has no
+/// columns beside a linear model: they are outputs of this one if they are requested.
+fn outputs(
+    root: &Table<'_>,
+    ports: Option<Option<linear::Declared<'_>>>,
+    analyses: Option<&mut Analyses>,
+    builder: &mut ModelBuilder,
+) -> (Option<Option<LinearSettings>>, Option<OutputSettings>) {
+    match ports {
+        None => (Some(None), columns::read(root, builder)),
+        Some(ports) => {
+            let both = ports.zip(analyses);
+            let found = both.and_then(|(ports, own)| linear::read(root, ports, own, builder));
+            (found.map(Some), Some(OutputSettings::default()))
+        }
+    }
+}
+
+/// Notes problems of loads and drives at the times of the analyses, or at the start.
+fn check_times(document: &Document, builder: &ModelBuilder, analyses: Option<&Analyses>) {
+    let times = analyses.and_then(Analyses::times);
+    if let Some(times) = times {
+        builder.drives().check_run(document, times);
+        control::check_run(document, builder, times);
+    }
+    let start = times.map_or(0.0, |[start, _]| start);
+    builder.drives().check_start(document, start);
 }
 
 /// Notes a wind that does not suit the analyses, and turbulence boxes too small for the blades.
@@ -450,6 +473,7 @@ fn finish(
         periodic: analyses.periodic,
         trim: analyses.trim,
         stability: analyses.stability,
+        linear: None,
         measured,
         free_hinges: Vec::new(),
         node_locations: Vec::new(),

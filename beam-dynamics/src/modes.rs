@@ -22,6 +22,7 @@ mod tracking;
 pub use eigen::{EigenProblem, Lowest};
 pub use eigenpair::Eigenpair;
 pub use factors::Factors;
+pub use frequencies::highest_of_a_node;
 pub use motion::{MassMatrix, ModeMotion};
 pub use multiblade::Rotor;
 pub use separation::{align, separate};

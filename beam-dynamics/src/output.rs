@@ -14,6 +14,7 @@ mod files;
 mod folder;
 mod grid;
 mod identification;
+mod linear;
 mod performance;
 mod periodic;
 mod rows;
@@ -47,6 +48,7 @@ pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
 pub use identification::{identification_csv, identification_text};
+pub use linear::{linear_csv, linear_json, linear_text, write_linear};
 pub use performance::{
     MapPlot, performance_csv, performance_text, span_load_csv, write_performance,
 };

@@ -9,6 +9,7 @@ mod buckling;
 mod columns;
 mod fixed;
 mod identification;
+mod linear;
 mod performance;
 mod periodic;
 mod stability;
@@ -20,6 +21,7 @@ pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
 pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
 pub use identification::{Identification, IdentificationMethod, IdentifiedMode};
+pub use linear::{LinearModel, LinearVariable};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 pub use periodic::{FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, Stability};
 pub use stability::{

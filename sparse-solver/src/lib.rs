@@ -1,6 +1,7 @@
 //! Solution of systems of equations, independent of nodes and elements: sparse LU on a fixed
 //! pattern with pivots that are kept from matrix to matrix, linear systems by products alone,
-//! Newton's method with a status, and eigenvalues of dense matrices and of maps.
+//! Newton's method with a status, eigenvalues of dense matrices and of maps, and the minimal form of
+//! descriptor systems.
 //!
 //! A crate of its own, so that its kernels are optimized in every profile. Functions that take
 //! time are therefore not generic: generic ones are compiled where they are used.
@@ -27,6 +28,7 @@
 
 mod arnoldi;
 mod dense;
+mod descriptor;
 mod general;
 mod gmres;
 mod linear;
@@ -39,6 +41,7 @@ mod step;
 
 pub use arnoldi::{Largest, LinearMap, Ritz, largest};
 pub use dense::{Eigenvectors, eigenvalues};
+pub use descriptor::{Descriptor, DescriptorState, Minimal, NotMinimal, minimal};
 pub use gmres::{Gmres, gmres, norm, orthogonalize};
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};
 pub use newton::{

@@ -36,6 +36,7 @@ mod joint_runs;
 mod joints;
 mod kept_jacobian;
 mod leverage;
+mod linear;
 mod loads;
 mod mbdyn_model;
 mod mechanisms;

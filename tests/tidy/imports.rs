@@ -41,8 +41,18 @@ pub const CRATES: [Stages; 4] = [
     Stages {
         folder: "sparse-solver",
         order: &[
-            "pattern", "number", "scales", "lu", "general", "linear", "step", "newton", "gmres",
-            "dense", "arnoldi",
+            "pattern",
+            "number",
+            "scales",
+            "lu",
+            "general",
+            "linear",
+            "step",
+            "newton",
+            "gmres",
+            "dense",
+            "descriptor",
+            "arnoldi",
         ],
     },
     Stages {

@@ -31,6 +31,10 @@ const FALL: f64 = 3.0;
 const SHORT: f64 = 1e3;
 /// Largest number of steps.
 const STEPS: usize = 300;
+/// Last sigma beside a free motion, relative to the speed of rotation or in 1/s.
+const LAST: f64 = 1e-4;
+/// Correction below which the equilibrium is found when the residual does not fall any more.
+const SETTLED: f64 = 1e-7;
 
 /// Moves `balance` to an equilibrium; the report of the last Newton iteration, with all steps in
 /// its history, or `None` if none was found.
@@ -74,6 +78,50 @@ pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
     }
     balance.state = start;
     None
+}
+
+/// Moves `balance` to an equilibrium with motions that nothing resists and nothing drives, as of a
+/// free shaft: the steps go on with the last sigma, each of which leaves an error of sigma over the
+/// frequency. Momenta are those of the turning model after each step, so that no part falls behind.
+/// Returns the largest relative residual; `None` if the steps do not end.
+pub(super) fn settle_freely(balance: &mut Balance<'_>) -> Option<f64> {
+    let speed = balance.conditions.frame.angular_velocity.norm();
+    let last = LAST * f64::max(1.0, speed);
+    let mut sigma = f64::max(1.0, SHORT * speed);
+    let mut before = f64::INFINITY;
+    for _ in 0..STEPS {
+        turn_along(balance);
+        let (residual, worst) = balance.residual();
+        let found = step(balance, sigma, &residual);
+        let size = found.as_ref().map_or(f64::NAN, |dy| balance.size(dy));
+        let Some(correction) = found.filter(|_| size <= LARGEST) else {
+            sigma *= FALL;
+            continue;
+        };
+        if sigma <= last && size <= SETTLED && worst.relative >= before {
+            return Some(worst.relative);
+        }
+        balance.correct(&correction);
+        before = worst.relative;
+        sigma = f64::max(sigma / FALL, last);
+    }
+    None
+}
+
+/// Gives all nodes the momenta of the turning model.
+fn turn_along(balance: &mut Balance<'_>) {
+    let (residual, _) = balance.residual();
+    let pairs = balance
+        .state
+        .nodes
+        .iter_mut()
+        .zip(residual.chunks(NODE_UNKNOWNS));
+    for (node, rows) in pairs {
+        for k in 0..3 {
+            node.momentum[k] -= rows[k];
+            node.angular_momentum[k] -= rows[3 + k];
+        }
+    }
 }
 
 fn step(balance: &Balance<'_>, sigma: f64, residual: &[f64]) -> Option<Vec<f64>> {

@@ -10,7 +10,7 @@ use crate::model::{Conditions, Loading, State, TurningFrame};
 use crate::solver::{LinearSolver, Newton, NewtonReport, NewtonStatus, solve};
 
 use super::balance::{Balance, worst_equation};
-use super::settling::{free_motion, settle};
+use super::settling::{free_motion, settle, settle_freely};
 
 /// Smallest step, as a part of the change of the conditions.
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
@@ -126,6 +126,23 @@ pub fn equilibrium(
             advance(&balance, &nothing, to)
         });
         raised.and_then(Result::ok).ok_or(failure)
+    })
+}
+
+/// The equilibrium of a model with motions that nothing resists and nothing drives, as of a free shaft
+/// with the torque that its drag needs; `None` if there is none near the undeformed state.
+pub(super) fn free_equilibrium(
+    model: &Model,
+    solver: &LinearSolver,
+    to: &Conditions,
+) -> Option<Equilibrium> {
+    let mut balance = Balance::new(&model.system, solver, *to, model.system.rest());
+    let residual = settle_freely(&mut balance)?;
+    Some(Equilibrium {
+        state: balance.state,
+        conditions: *to,
+        iterations: 0,
+        residual,
     })
 }
 

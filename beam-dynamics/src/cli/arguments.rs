@@ -10,11 +10,13 @@ use super::blade_options::BladeOptions;
 use super::compare::CompareArguments;
 use super::convert::ConvertArguments;
 use super::identify::IdentifyOptions;
+use super::linearize::LinearizeArguments;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
 mod expand;
 mod identify;
+mod linearize;
 mod modes;
 mod periodic;
 mod plot;
@@ -24,6 +26,7 @@ mod trim;
 
 use expand::{EXPAND, EXPAND_EXAMPLE};
 use identify::{IDENTIFY, IDENTIFY_EXAMPLE};
+use linearize::{LINEARIZE, LINEARIZE_EXAMPLE};
 use modes::{MODES, MODES_EXAMPLE};
 use periodic::{PERIODIC, PERIODIC_EXAMPLE};
 use plot::{PLOT, PLOT_EXAMPLE};
@@ -297,6 +300,7 @@ impl Command {
             | Self::Trim { results, .. }
             | Self::Stability { results, .. }
             | Self::Transient { results, .. } => results.quiet,
+            Self::Linearize(arguments) => arguments.results.quiet,
             _ => false,
         }
     }
@@ -375,6 +379,12 @@ pub(super) enum Command {
         #[command(flatten)]
         results: Results,
     },
+    #[command(
+        about = first_line(LINEARIZE),
+        long_about = LINEARIZE,
+        after_help = LINEARIZE_EXAMPLE
+    )]
+    Linearize(LinearizeArguments),
     #[command(
         about = first_line(PERFORMANCE),
         long_about = PERFORMANCE,

@@ -78,7 +78,7 @@ fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 }
 
 /// One of the rotor speeds, in rpm or with a unit \[rpm\].
-fn speed(text: &str) -> Result<f64, String> {
+pub(super) fn speed(text: &str) -> Result<f64, String> {
     let with_unit = || parse_quantity(text, Dimension::ROTATION_SPEED).ok();
     let rpm = |speed: f64| speed * 30.0 / PI;
     let found = finite(text).ok().or_else(|| with_unit().map(rpm));

@@ -159,7 +159,7 @@ pub fn read_blade(path: &Path, settings: &BladeSettings) -> Result<Input, Diagno
     read_text(path)?;
     let file = path.display().to_string();
     let text = settings.text(&file);
-    let input = super::checked(&text, (MADE, &name_of(path)), &[]);
+    let input = super::checked(&text, (MADE, &name_of(path)), (&[], None));
     input.map_err(|problems| {
         problems.rewritten(MADE, |problem| {
             let line = problem.location.line.unwrap_or_default();

@@ -16,7 +16,7 @@ mod state_spaces;
 mod tests;
 
 pub(super) use actuators::CARD as ACTUATOR;
-pub(super) use sensors::CARD as SENSOR;
+pub(super) use sensors::{CARD as SENSOR, attach, kind as sensed};
 pub(super) use state_spaces::STATE_SPACE;
 pub use state_spaces::StateSpaceProblem;
 

@@ -4,7 +4,7 @@
 //! for every key that uses it, unless it has a `unit`.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use shared_geom::document::schema::KeySchema;
@@ -75,6 +75,8 @@ pub(super) struct Catalog {
     used: RefCell<Vec<Used>>,
     /// Scalars that expressions read by name.
     readable: Readable,
+    /// Names of the inputs of a linear model.
+    inputs: BTreeSet<String>,
 }
 
 /// Reads the drive under a declared key of a card, in SI units: a number or a
@@ -187,11 +189,12 @@ fn formula(item: &Item<'_>, text: &str, measure: Measure) -> Option<Drive> {
     }
 }
 
-/// Reads every `[drives.NAME]`, each of which may use others.
-pub(super) fn read_named(root: &Table<'_>) -> Catalog {
+/// Reads every `[drives.NAME]`, each of which may use others, except `inputs` of a linear model.
+pub(super) fn read_named(root: &Table<'_>, inputs: &[String]) -> Catalog {
     let tables = root.named_tables("drives");
     let reader = Reader {
         tables: &tables,
+        inputs,
         done: RefCell::default(),
         open: RefCell::default(),
     };
@@ -203,12 +206,14 @@ pub(super) fn read_named(root: &Table<'_>) -> Catalog {
         bounded: RefCell::default(),
         used: RefCell::default(),
         readable: Readable::new(),
+        inputs: BTreeSet::new(),
     }
 }
 
 /// Named drives during reading.
 struct Reader<'a, 'd> {
     tables: &'a [(String, Table<'d>)],
+    inputs: &'a [String],
     done: RefCell<BTreeMap<String, Option<Named>>>,
     /// Names that are being read, each used by the previous one.
     open: RefCell<Vec<String>>,
@@ -245,6 +250,17 @@ impl Reader<'_, '_> {
             let chain = open[first..].iter().cloned();
             let chain = chain.chain([name.to_owned()]).collect();
             user.note("", &DriveProblem::Cycle { chain });
+            return None;
+        }
+        if self.inputs.iter().any(|input| input == name) {
+            let (user_of, name) = (user.title().to_owned(), name.to_owned());
+            user.note(
+                "",
+                &DriveProblem::OfInput {
+                    user: user_of,
+                    name,
+                },
+            );
             return None;
         }
         if !self.tables.iter().any(|own| own.0 == name) {
@@ -300,8 +316,13 @@ impl Catalog {
 
     fn find(&self, name: &str, item: &Item<'_>) -> Option<Named> {
         let found = self.named.get(name);
+        let user = format!("\"{}\"", item.key());
+        if self.inputs.contains(name) {
+            let name = name.to_owned();
+            item.note(&DriveProblem::OfInput { user, name });
+            return None;
+        }
         if found.is_none() {
-            let user = format!("\"{}\"", item.key());
             item.note(&unknown(name, &user, self.named.keys().cloned().collect()));
         }
         found?.clone()

@@ -16,7 +16,7 @@ pub(super) use keys::{
 use kind::KINDS;
 pub(super) use kind::{Kind, Source, dimension_of, unit_of};
 pub use problem::ReadingProblem;
-pub(super) use reading::Reading;
+pub(super) use reading::{Found, Reading};
 
 /// The quantity of a card.
 pub(super) fn kind(table: &Table<'_>) -> Option<&'static Kind> {

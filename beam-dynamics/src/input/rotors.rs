@@ -56,9 +56,10 @@ pub(super) struct PlacedRotor {
 }
 
 /// Appends the cards of all rotors; `None` if one is wrong, which has been noted. The cards of a
-/// rotor with wrong controls are appended too.
-pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
-    let (rotors, is_sound) = read(document)?;
+/// rotor with wrong controls are appended too. Drives that are `inputs` of a linear model are
+/// scalars, which only expressions read.
+pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Option<Vec<PlacedRotor>> {
+    let (rotors, is_sound) = read(document, inputs)?;
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
         name: rotor.base.name,
@@ -77,7 +78,7 @@ pub(super) fn expand(document: &mut Document) -> Option<Vec<PlacedRotor>> {
 /// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
 /// been noted.
 pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
-    let (rotors, is_sound) = read(document)?;
+    let (rotors, is_sound) = read(document, &[])?;
     let text = |cards: &[Card]| {
         let cards: Vec<_> = cards.iter().map(ToString::to_string).collect();
         cards.join("\n")
@@ -95,14 +96,14 @@ pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String>
 type Expanded = Vec<(Rotor, Vec<Card>)>;
 
 /// The rotors of a document, and whether all of their controls are right.
-fn read(document: &Document) -> Option<(Expanded, bool)> {
+fn read(document: &Document, inputs: &[String]) -> Option<(Expanded, bool)> {
     let root = document.root_of(&DYNAMICS_FILE);
     let repeated = note_repeated(&root);
     if !root.has(KEY) {
         return (!repeated).then(|| (Vec::new(), true));
     }
     let tables = root.tables(KEY);
-    let context = Context::of(&root);
+    let context = Context::of(&root, inputs);
     let read: Vec<_> = tables
         .iter()
         .map(|table| card::read(table, &context))

@@ -42,6 +42,22 @@ pub(super) struct Declared {
     controls: Vec<Option<Named>>,
 }
 
+impl Declared {
+    /// The unknown of the control called `name`, if there is such a control; `Some(None)` for a
+    /// parameter.
+    pub fn control(&self, name: &str) -> Option<Option<&Scalar>> {
+        let mut all = self.controls.iter().flatten();
+        let found = all.find(|own| own.control.name == name)?;
+        Some(found.state.as_ref())
+    }
+
+    /// Names of the controls.
+    pub fn names(&self) -> impl Iterator<Item = String> {
+        let all = self.controls.iter().flatten();
+        all.map(|own| own.control.name.clone())
+    }
+}
+
 /// Makes the controls readable by expressions; `None` without `[trim]`, or if its method is wrong.
 pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Option<Declared> {
     let table = if root.has("trim") {

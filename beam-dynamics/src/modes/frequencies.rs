@@ -7,7 +7,7 @@ use crate::model::{Equation, NODE_UNKNOWNS, Variable};
 /// The highest frequency of a node on its own, `sqrt(|F_force,x| / |F_p,v|)`; of bodies
 /// that only turn, `sqrt(|F_moment,theta| / |F_h,omega|)` or the speed of the frame \[1/s\].
 /// `None` without mass or stiffness.
-pub(super) fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
+pub fn highest_of_a_node(tangent: &Tangent, nodes: usize) -> Option<f64> {
     let largest = |matrix: &Sparse, row: Equation, column: Variable| {
         let (row, column) = (row.row(), column.column());
         let of_nodes = matrix

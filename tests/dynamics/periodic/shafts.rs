@@ -1,4 +1,4 @@
-//! A body on a hinge across a turning shaft: the hoop.
+//! A body on a hinge across a turning shaft: the hoop, against closed forms and the rows of `hoop.json`.
 //!
 //! With the moments of inertia A, B, C about the hinge's point, B about the hinge and C along the
 //! body, and the angle q from the shaft,
@@ -9,7 +9,11 @@
 
 use std::f64::consts::TAU;
 
-use super::{analyzed, modes};
+use nalgebra::Complex;
+use serde_json::Value;
+
+use super::{analyzed, farthest, modes, multipliers};
+use crate::trim::{numbers, reference};
 
 const SPEED: f64 = 5.0;
 
@@ -35,6 +39,20 @@ fn hoop(shaft: &str, settings: &str) -> String {
     )
 }
 
+/// The row of `hoop.json` with a shaft and a drag, and its multipliers that are neither neutral nor
+/// round-off.
+fn row(shaft: &str, drag: f64) -> (Value, Vec<Complex<f64>>) {
+    let rows = reference("theory-periodic/hoop.json")["rows"].clone();
+    let mut rows = rows.as_array().unwrap().iter();
+    let row = rows.find(|row| row["shaft"] == shaft && row["drag"] == drag);
+    let row = row.unwrap().clone();
+    let all = row["multipliers"].as_array().unwrap().iter().map(numbers);
+    let all = all.map(|mu| Complex::new(mu[0], mu[1]));
+    let is_damped = |mu: &Complex<f64>| mu.norm() > 1e-9 && (mu - 1.0).norm() > 1e-5;
+    let own = all.filter(is_damped).collect();
+    (row, own)
+}
+
 fn exact() -> [f64; 2] {
     let cosine = 1.5 * 9.81 * 0.8 / (SPEED * SPEED * 0.9);
     let frequency = SPEED * (0.9 * (1.0 - cosine * cosine) / 1.2).sqrt();
@@ -54,32 +72,54 @@ fn a_shaft_of_prescribed_speed() {
     let expected = frequency * TAU / SPEED;
     let off = (angle - expected).abs().min((TAU - angle - expected).abs());
     assert!(off < 1e-7, "{angle} {expected}");
+    // The numbers of the reference, whose multipliers have the error of its own steps, 1e-9.
+    let (row, own) = row("prescribed", 0.0);
+    assert!((row["theta_exact_deg"].as_f64().unwrap() - cosine.acos().to_degrees()).abs() < 1e-9);
+    assert!((row["omega_exact"].as_f64().unwrap() - frequency).abs() < 1e-9);
+    let off = farthest(&multipliers(&outcome), &own);
+    assert!(own.len() == 2 && off < 1e-7, "{off:e}");
 }
 
-// A free shaft with a drag of 0.3 N m s: the azimuth is free, and the torque 1.5 N m. The torque is a
-// control, and the target fixes the azimuth: the mean of 2 e_x . y cos(W t) is its sine.
+// A free shaft, without drag and with one of 0.3 N m s: the azimuth is free, and the torque 0 and 1.5 N m.
+// The torque is a control, and the target fixes the azimuth: the mean of 2 e_x . y cos(W t) is its sine.
 #[test]
 fn the_torque_of_a_free_shaft() {
-    let shaft = "[[spring]]\nname = \"drag\"\nnode = \"shaft\"\nrotational_damping = [0, 0, 0.3]\n\
-                 [[load]]\nnode = \"shaft\"\nmoment = [0, 0, 1]\ndrive = \"= torque\"\n\
-                 [sensors.side]\nquantity = \"position\"\nof = \"arm\"\ncomponent = \"y\"\n\
-                 unit = \"m\"\n";
-    let settings = format!(
-        "settle = 1\n[periodic.floquet]\ncount = 4\n\
-         [[trim.control]]\nname = \"torque\"\nguess = 1\n\
-         [[trim.target]]\nname = \"azimuth\"\nsignal = \"= 2*side*cos({SPEED:?}*t)\"\n\
-         value = 0\n"
-    );
-    let (outcome, kept) = analyzed(&hoop(shaft, &settings));
-    let [cosine, _] = exact();
-    let found = -kept.0[0].1.nodes[1].position.z / 0.8;
-    assert!((found - cosine).abs() < 1e-7, "{found} {cosine}");
-    let (name, torque) = &outcome.result.controls[0];
-    assert_eq!(name, "torque");
-    assert!((torque - 1.5).abs() < 1e-8, "{torque}");
-    // One multiplier is the free azimuth.
-    let neutral = modes(&outcome)
-        .iter()
-        .filter(|mode| mode.stability().word() == "azimuth");
-    assert_eq!(neutral.count(), 1);
+    for drag in [0.0, 0.3] {
+        let spring = match drag > 0.0 {
+            true => format!(
+                "[[spring]]\nname = \"drag\"\nnode = \"shaft\"\n\
+                 rotational_damping = [0, 0, {drag:?}]\n"
+            ),
+            false => String::new(),
+        };
+        let shaft = format!(
+            "{spring}[[load]]\nnode = \"shaft\"\nmoment = [0, 0, 1]\ndrive = \"= torque\"\n\
+             [sensors.side]\nquantity = \"position\"\nof = \"arm\"\ncomponent = \"y\"\n\
+             unit = \"m\"\n"
+        );
+        let settings = format!(
+            "settle = 1\n[periodic.floquet]\ncount = 4\n\
+             [[trim.control]]\nname = \"torque\"\nguess = 1\n\
+             [[trim.target]]\nname = \"azimuth\"\nsignal = \"= 2*side*cos({SPEED:?}*t)\"\n\
+             value = 0\n"
+        );
+        let (outcome, kept) = analyzed(&hoop(&shaft, &settings));
+        let [cosine, _] = exact();
+        let found = -kept.0[0].1.nodes[1].position.z / 0.8;
+        assert!((found - cosine).abs() < 1e-7, "{found} {cosine}");
+        let (row, own) = row("free", drag);
+        let (name, torque) = &outcome.result.controls[0];
+        assert_eq!(name, "torque");
+        let expected = row["torque_exact"].as_f64().unwrap();
+        assert!((torque - expected).abs() < 1e-8, "{torque}");
+        let off = farthest(&multipliers(&outcome), &own);
+        assert!(off < 1e-7, "{drag}: {off:e}");
+        // One multiplier is the free azimuth; without drag there are two, as the speed is free, too.
+        let neutral = modes(&outcome)
+            .iter()
+            .filter(|mode| mode.stability().word() == "azimuth");
+        if drag > 0.0 {
+            assert_eq!((neutral.count(), own.len()), (1, 3));
+        }
+    }
 }

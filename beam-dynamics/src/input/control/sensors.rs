@@ -82,8 +82,8 @@ pub(super) fn declare<'a>(root: &Table<'a>, drives: &mut drives::Catalog) -> Vec
     tables.map(declare).collect()
 }
 
-/// The quantity of a sensor.
-fn kind(table: &Table<'_>) -> Option<&'static Kind> {
+/// The quantity of a sensor, or of a card with the same keys.
+pub(in crate::input) fn kind(table: &Table<'_>) -> Option<&'static Kind> {
     let kind = readings::kind(table)?;
     let reason = match kind.1 {
         Source::Drive | Source::Signal => "its name can be used in expressions directly",
@@ -164,7 +164,7 @@ fn sensor(declared: &Declared<'_>, builder: &mut ModelBuilder) -> Option<()> {
 }
 
 /// Makes a scalar of a quantity, given the words for it and the name of the sensor.
-fn attach(
+pub(in crate::input) fn attach(
     quantity: Quantity,
     (word, name): (&'static str, &str),
     scalar: &Scalar,

@@ -131,6 +131,16 @@ pub enum DriveProblem {
         /// The sensor.
         name: String,
     },
+    /// An input of a linear model where only a function of time is allowed.
+    #[error(
+        "{user} uses \"{name}\", an input of the linear model, expected a function of time only"
+    )]
+    OfInput {
+        /// The card or the key, as text.
+        user: String,
+        /// The input.
+        name: String,
+    },
     /// A name that a signal cannot have.
     #[error(
         "\"{name}\" is not a name of a signal, expected letters, digits and \"_\", and no name \
@@ -236,6 +246,10 @@ impl Explain for DriveProblem {
             }
             Self::Senses { .. } => {
                 "gravity, and a drive that other drives use, must be known before a run"
+            }
+            Self::OfInput { .. } => {
+                "gravity, the wind, and drives that are made of other drives cannot follow an input: \
+                 use the other drive as the input, or another name here"
             }
             Self::Rough { .. } => {
                 "its value, or its rate, may jump, which would be an impulse: add an [[actuator]] \

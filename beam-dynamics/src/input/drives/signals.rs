@@ -12,6 +12,7 @@ use super::problem::Needed;
 use super::{Catalog, Counts, DriveProblem};
 use crate::elements::{Input, Signal, Smoothness};
 use crate::input::problem::InputProblem;
+use crate::model::Scalar;
 
 /// Scalars that expressions read by name; wrong ones are `None`.
 pub(super) type Readable = BTreeMap<String, Option<Read>>;
@@ -239,6 +240,35 @@ fn factor_of_name(
 }
 
 impl Catalog {
+    /// The scalar that expressions read by a name.
+    pub fn read_by(&self, name: &str) -> Option<&Read> {
+        self.readable.get(name)?.as_ref()
+    }
+
+    /// All names of such scalars.
+    pub fn readable_names(&self) -> impl Iterator<Item = String> {
+        self.readable.keys().cloned()
+    }
+
+    /// The value at time zero and the unit of a named drive; `None` if it is wrong.
+    pub fn at_start(&self, name: &str) -> Option<(f64, Measure)> {
+        let named = self.named.get(name)?.as_ref()?;
+        Some((named.drive.at(0.0).value, named.measure))
+    }
+
+    /// Replaces a drive by a scalar, an input of a linear model.
+    pub fn add_input(&mut self, name: &str, (scalar, measure): (Scalar, Measure)) {
+        let unit = match measure {
+            Measure::Unit(unit) => unit.factor,
+            _ => 1.0,
+        };
+        let input = Input { scalar, unit };
+        self.named.remove(name);
+        self.inputs.insert(name.to_owned());
+        self.readable
+            .insert(name.to_owned(), Some(Read { input, measure }));
+    }
+
     /// Makes a scalar readable by `name` in expressions; `None` for a wrong one.
     pub fn add_readable(&mut self, name: String, read: Option<Read>) {
         self.readable.insert(name, read);

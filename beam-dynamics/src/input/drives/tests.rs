@@ -25,7 +25,7 @@ fn found(text: &str, dimension: Dimension) -> Result<Drive, String> {
     let root = document.root();
     document.declare_units(&root);
     document.declare_parameters(&root);
-    let catalog = read_named(&root);
+    let catalog = read_named(&root, &[]);
     let item = root.item("drive");
     let drive = item.and_then(|item| read_value(&item, dimension, &catalog));
     catalog.check(&document, [0.0, 5.0]);

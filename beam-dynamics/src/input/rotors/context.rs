@@ -13,7 +13,7 @@ use super::keys::{COSINE, HARMONIC, NAME, PLATE, SINE, SWASHPLATE, TORQUE};
 use super::{KEY, shaft};
 use crate::elements::{Input, Sensor, Smoothness};
 use crate::input::drives::{self, Catalog, Measure, Read};
-use crate::input::{control, trim};
+use crate::input::{control, linear, trim};
 use crate::model::Quantity;
 
 /// Names, first guesses and the start of runs.
@@ -29,11 +29,15 @@ pub(super) struct Context {
 }
 
 impl Context {
-    /// The context of the top table of a file.
-    pub fn of(root: &Table<'_>) -> Self {
-        let mut catalog = drives::read_named(root);
+    /// The context of the top table of a file, with the `inputs` of a linear model.
+    pub fn of(root: &Table<'_>, inputs: &[String]) -> Self {
+        let mut catalog = drives::read_named(root, inputs);
         declare(root, &mut catalog);
-        trim::declare(root, &mut catalog);
+        let trim = trim::declare(root, &mut catalog);
+        for name in inputs {
+            // Problems of inputs are noted with the ones of the linear model.
+            let _input = linear::input(name, &mut catalog, trim.as_ref(), &mut Vec::new());
+        }
         for rotor in root.tables(KEY).iter().filter(|rotor| senses(rotor)) {
             if let Some(name) = rotor.get(&NAME) {
                 let (name, read) = azimuth(&name);

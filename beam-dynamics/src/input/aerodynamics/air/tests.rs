@@ -23,7 +23,7 @@ fn read(text: &str) -> Result<Air, String> {
     let air = {
         let root = document.root_of(&DYNAMICS_FILE);
         document.declare_units(&root);
-        let drives = drives::read_named(&root);
+        let drives = drives::read_named(&root, &[]);
         super::read(&root, &Vector3::new(0.0, 0.0, -9.81), &drives)
     };
     document

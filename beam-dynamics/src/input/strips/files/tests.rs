@@ -26,7 +26,7 @@ fn stations(
     let document = Document::parse(text, &format!("{folder}/a.toml")).unwrap();
     let root = document.root();
     let airfoils =
-        aerodynamics::read(&root, &Vector3::zeros(), &drives::read_named(&root)).airfoils;
+        aerodynamics::read(&root, &Vector3::zeros(), &drives::read_named(&root, &[])).airfoils;
     let table = root.table("blade_air").unwrap().described(&strips::CARD);
     let mut remarks = Vec::new();
     let found = read(&table, &airfoils, ("blade \"b\"", line), &mut remarks);

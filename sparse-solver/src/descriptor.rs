@@ -1,0 +1,60 @@
+//! The minimal form of a linear descriptor system: its states, and all unknowns by them.
+//!
+//! ```text
+//! E x' + K x + F u = 0                                                             (D-333)
+//! ```
+//!
+//! has equations with rates, algebraic equations and constraints of any index that machines have.
+//! With `E P = Q R` of rank r, the unknowns are r that have rates, x1, and the others, x2:
+//!
+//! ```text
+//! x1' = A x1 + N x2 + B u
+//! 0   = G x1 + L x2 + H u                                                          (D-334)
+//! ```
+//!
+//! As many x2 as L has rank follow from the second and are eliminated; the equations that remain have
+//! none, `G x1 = 0`. They are kept as constraints, and their rates
+//!
+//! ```text
+//! 0 = G A x1 + G N x2 + G B u                                                      (D-335)
+//! ```
+//!
+//! take their place, until no x2 is left. The states are the x1 that the constraints leave free. An
+//! input in a constraint would act by its derivatives: it is refused.
+//!
+//! Rows, columns and inputs are scaled by powers of two, and time by a given rate.
+
+mod elimination;
+mod free;
+mod ranked;
+mod scaled;
+mod system;
+
+use elimination::Elimination;
+use free::Free;
+use scaled::Scaled;
+pub use system::{Descriptor, DescriptorState, Minimal, NotMinimal};
+
+/// The minimal form of a `system` whose highest frequency is of the size of `rate` \[1/s\].
+///
+/// # Errors
+/// [`NotMinimal`].
+pub fn minimal(system: &Descriptor, rate: f64) -> Result<Minimal, NotMinimal> {
+    let scaled = Scaled::new(system, rate)?;
+    let found = Elimination::new(&scaled).finished()?;
+    let free = Free::new(&found.constraints, |index| found.unknown(index));
+    let free = free.map_err(|index| NotMinimal::Undetermined(found.unknown(index)))?;
+    let a = free.rows(&found.a) * &free.all;
+    let b = free.rows(&found.b);
+    let [x, y] = found.whole(&free.all);
+    let residual = scaled.residual([&x, &y], [&a, &b]);
+    let state = |&index: &usize| DescriptorState {
+        unknown: found.unknown(index),
+        is_part: found.is_part(index),
+    };
+    let states = free.indices.iter().map(state).collect();
+    Ok(scaled.unscaled(states, [&a, &b], [&x, &y], residual))
+}
+
+#[cfg(test)]
+mod tests;
