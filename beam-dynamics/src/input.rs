@@ -268,8 +268,9 @@ fn checked(
     let placed = rotors.as_deref().unwrap_or_default();
     let input = cards(&document, name, (placed, linear));
     let input = input.filter(|_| rotors.is_some());
+    let controls = trim::locations(&document.root_of(&schema::DYNAMICS_FILE));
     let mut input = document.finish(input)?;
-    let mut problems = Diagnostics::new();
+    let mut problems = trim::problems(&input.model, controls);
     let mobility = mechanism::find(&input.model.system);
     let is_trimmed = (input.trim.as_ref()).is_some_and(|own| own.method == TrimMethod::Equilibrium);
     let is_held = input.statics.is_some() || input.buckling.is_some() || is_trimmed;

@@ -15,10 +15,12 @@ use crate::elements::Input;
 use crate::elements::control::{Balanced, Kept};
 use crate::model::{Scalar, ScalarStart};
 
+mod idle;
 mod keys;
 mod problem;
 mod targets;
 
+pub(super) use idle::{locations, problems};
 pub(super) use keys::TRIM;
 pub use problem::TrimProblem;
 

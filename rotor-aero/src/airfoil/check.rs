@@ -20,6 +20,10 @@ const DIFFERENT_VALUE: f64 = 0.05;
 /// Steps above this have a remark unless the value is constant \[rad\].
 const WIDE_STEP: f64 = PI / 6.0;
 
+/// Steps over the zero angle above this are gaps unless the value is constant: the flow is attached
+/// there, and lift rises and falls in between \[rad\].
+const GAP: f64 = PI / 3.0;
+
 /// Problems and remarks of a table.
 #[derive(Debug, Default)]
 struct Findings {
@@ -370,19 +374,36 @@ fn closed(name: &str, curve: &mut Curve, found: &mut Findings) {
     curve.values[last] = mean;
 }
 
-/// The widest step between unequal values.
+/// Steps between unequal values: a gap at small angles, and the widest.
 fn steps(name: &str, curve: &Curve, found: &mut Findings) {
     let pairs = curve.alpha.windows(2).zip(curve.values.windows(2));
     let unequal = pairs.filter(|(_, values)| values[0] != values[1]);
-    let widest = unequal.max_by(|a, b| (a.0[1] - a.0[0]).total_cmp(&(b.0[1] - b.0[0])));
-    let wide = widest.filter(|(angles, _)| angles[1] - angles[0] > WIDE_STEP);
-    found
-        .remarks
-        .extend(wide.map(|(angles, _)| AirfoilRemark::WideStep {
-            curve: name.to_owned(),
-            from_deg: degrees(angles[0]),
-            to_deg: degrees(angles[1]),
-        }));
+    let steps = unequal.filter_map(|(angles, _)| angles.first_chunk::<2>());
+    let width = |step: &[f64; 2]| step[1] - step[0];
+    let (mut widest, mut gap) = (None::<&[f64; 2]>, None);
+    for step in steps {
+        if widest.is_none_or(|widest| width(step) >= width(widest)) {
+            widest = Some(step);
+        }
+        if step[0] < 0.0 && step[1] > 0.0 && width(step) > GAP {
+            gap = Some(step);
+        }
+    }
+    let curve = || name.to_owned();
+    if let Some([from_deg, to_deg]) = gap.map(|step| step.map(degrees)) {
+        let curve = curve();
+        found.problems.push(AirfoilProblem::Gap {
+            curve,
+            from_deg,
+            to_deg,
+        });
+    } else if let Some(step) = widest.filter(|step| width(step) > WIDE_STEP) {
+        found.remarks.push(AirfoilRemark::WideStep {
+            curve: curve(),
+            from_deg: degrees(step[0]),
+            to_deg: degrees(step[1]),
+        });
+    }
 }
 
 #[cfg(test)]

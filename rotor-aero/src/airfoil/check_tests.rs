@@ -61,6 +61,13 @@ fn each_problem_is_named_with_its_numbers() {
         short.contains("lift of \"plain\": -10 to 10 deg, expected -180"),
         "{short}"
     );
+    let gap = first(&|data| {
+        data.lift[0] = curve(&[(-180.0, 0.0), (-60.0, -0.8), (60.0, 0.8), (180.0, 0.0)]);
+    });
+    assert!(
+        gap.contains("lift of \"plain\": no values between -60 and 60 deg"),
+        "{gap}"
+    );
     let ends = first(&|data| data.moment[0].values[0] = 0.4);
     assert!(ends.contains("0.4 at -180 deg and 0 at 180 deg"), "{ends}");
     let number = first(&|data| data.drag[0].values[1] = f64::NAN);

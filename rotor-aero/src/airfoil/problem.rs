@@ -72,6 +72,18 @@ pub enum AirfoilProblem {
         /// Second of them \[deg\].
         second_deg: f64,
     },
+    /// A gap at small angles of attack.
+    #[error(
+        "{curve}: no values between {from_deg} and {to_deg} deg, expected steps of at most 60 deg there"
+    )]
+    Gap {
+        /// Curve.
+        curve: String,
+        /// Start of the gap \[deg\].
+        from_deg: f64,
+        /// End of the gap \[deg\].
+        to_deg: f64,
+    },
     /// A curve does not cover the full circle.
     #[error("{curve}: {from_deg} to {to_deg} deg, expected -180 to 180 deg")]
     Incomplete {
@@ -181,6 +193,7 @@ impl Explain for AirfoilProblem {
             Self::Repeated { .. } => {
                 "remove the repeated rows; if all angles are rounded, write more digits"
             }
+            Self::Gap { .. } => "add the rows of small angles, at which the flow is attached",
             Self::Incomplete { .. } => "extend the table to the full circle, as Viterna does",
             Self::Beyond { .. } => {
                 "shift angles above 180 deg by -360 deg, or correct the unit of the angles"

@@ -162,6 +162,12 @@ impl Disk {
         states: &[T],
         position: &[T; 2],
     ) -> Option<T> {
+        if let (Some([sine, cosine]), [mean, ..]) = (self.model.gradients(), states) {
+            // The product of gradients and position is the same in all axes.
+            let [one, other] = [*states.get(sine)?, *states.get(cosine)?];
+            let sum = one * position[0] + other * position[1];
+            return (states.len() == self.states().len()).then(|| *mean + sum / self.radius);
+        }
         let axes = WindAxes::new(self, flow);
         let own = self.turned(&axes, states)?;
         let position = axes.components(position).map(|of| of / self.radius);

@@ -89,10 +89,9 @@ struct Scale {
 /// `1/(2k + 2)!`, `1/(2k + 3)!` with alternating signs, and `|B_2k+2|/(2k + 2)!`: terms of the
 /// series of b, c and e. At x = 1 the last ones are below 1e-20 of the first.
 const SERIES: [[f64; 3]; 14] = series();
-/// Below this x seven terms suffice: the next one of e, the slowest, which falls by 39,
-/// is (x/39)^7, below 1e-22 even if differentiated twice.
-const SMALL: f64 = 0.02;
-const TERMS_OF_SMALL: usize = 7;
+/// Below these x as many terms suffice: the next one of e, the slowest, which falls by 39,
+/// is (x/39)^5 or (x/39)^7, below 1e-22.
+const SMALL: [(f64, usize); 2] = [(1e-3, 5), (0.02, 7)];
 
 const fn series() -> [[f64; 3]; 14] {
     const E: [f64; 14] = [
@@ -145,11 +144,8 @@ impl Scale {
 
     /// The closed forms divide differences by x once per differentiation.
     fn by_series(x: f64) -> Self {
-        let terms = if x < SMALL {
-            &SERIES[..TERMS_OF_SMALL]
-        } else {
-            &SERIES
-        };
+        let count = SMALL.iter().find(|(limit, _)| x < *limit);
+        let terms = &SERIES[..count.map_or(SERIES.len(), |(_, count)| *count)];
         // value, first and half the second derivative by x of b, c, e
         let mut sums = [[0.0; 3]; 3];
         for terms in terms.iter().rev() {

@@ -163,6 +163,11 @@ const WRONG: &[(&str, &str, &str)] = &[
         "which is a control too",
     ),
     ("[trim]\n", "[trim]\nsped = 2\n", "sped"),
+    (
+        "drive = \"= b\"",
+        "drive = \"= 2*a\"",
+        "no expression uses the control \"b\"",
+    ),
 ];
 
 #[test]

@@ -1,5 +1,7 @@
 //! A `[[rotor]]` as read, and the cards to which it expands.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Card, Content, Document, Table};
 use shared_geom::expression::is_name;
@@ -46,6 +48,16 @@ pub(super) struct Rotor {
     inflow: Option<Vec<(String, Content)>>,
 }
 
+/// Whether an azimuth is within a turn; notes it if not.
+fn is_within_turn(table: &Table<'_>, azimuth: f64) -> bool {
+    let is_within = azimuth.abs() <= TAU * (1.0 + f64::EPSILON);
+    if !is_within {
+        let turns = azimuth / TAU;
+        table.note(&keys::AZIMUTH, &RotorProblem::Azimuth { turns });
+    }
+    is_within
+}
+
 /// Reads a rotor; `None` if it is wrong.
 pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let name = name(table);
@@ -54,6 +66,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let axes = axes(table);
     let (azimuth, count) = (table.get(&keys::AZIMUTH), table.get(&keys::BLADES));
     let shown = name.clone().unwrap_or_default();
+    let azimuth = azimuth.filter(|azimuth| is_within_turn(table, *azimuth));
     let drive = drive(table, &shown, context);
     let body = body(table, &shown);
     let blade = parts::blade(table);

@@ -13,6 +13,12 @@ pub enum RotorProblem {
         /// The name.
         name: String,
     },
+    /// An azimuth of more than a turn.
+    #[error("the azimuth of the first blade is {turns:.4} turns, expected at most one")]
+    Azimuth {
+        /// The azimuth in turns.
+        turns: f64,
+    },
     /// Two rotors of a name.
     #[error("rotor \"{name}\" is already defined, expected one of this name")]
     DoubledName {
@@ -219,6 +225,7 @@ impl Explain for RotorProblem {
                 "a constant \"speed\", an \"angle\" over time, or a \"torque\", which is 0 for a \
                  rotor that turns freely"
             }
+            Self::Azimuth { .. } => "it is an angle in the unit of the file: degrees or radians?",
             Self::TwoDrives { .. } => "\"speed\" beside \"torque\" is the speed at the start",
             Self::NotOfHub { kinds, .. } => {
                 return Some(format!("kinds that have it: {}", quoted(kinds)));

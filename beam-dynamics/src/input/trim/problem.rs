@@ -58,6 +58,12 @@ pub enum TrimProblem {
         /// Its number.
         harmonic: usize,
     },
+    /// A control without effect.
+    #[error("no expression uses the control \"{name}\", so that no target depends on it")]
+    Unused {
+        /// Its name.
+        name: String,
+    },
     /// A sweep over a control.
     #[error("the sweep gives values to \"{name}\", which is a control too")]
     SweptControl {
@@ -83,6 +89,10 @@ impl Explain for TrimProblem {
             Self::Bounds { .. } => "write lower < upper, and a guess between them",
             Self::GuessOfParameter { .. } => "change the parameter",
             Self::Harmonic { .. } => "use the mean, or method = \"shooting\"",
+            Self::Unused { .. } => {
+                "use it, as in sine = \"= sine*deg\" of [rotor.swashplate], or remove it with its \
+                 target"
+            }
             Self::SweptControl { .. } => "remove the control and its target, or the sweep",
         };
         Some(text.to_owned())

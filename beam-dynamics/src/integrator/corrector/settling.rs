@@ -8,6 +8,10 @@ const STAGNATION: f64 = 0.5;
 /// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
 
+/// Part of the limits below which the residual and the error after a correction, estimated by the
+/// decrease of the last two, need no further evaluation, if the Jacobian is kept over steps.
+const ESTIMATED: f64 = 0.1;
+
 impl Corrector {
     /// Ratio of the last correction to the one before it.
     pub(super) fn shrinking(&self) -> Option<f64> {
@@ -35,6 +39,9 @@ impl Corrector {
     /// Whether the last correction, or over steps the error that it leaves, is so small that its
     /// residual need not be checked.
     pub(super) fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
+        if limits.jacobians == Jacobians::Modified && self.is_estimated_small(limits) {
+            return true;
+        }
         let (part, left) = match limits.jacobians {
             Jacobians::Full if self.is_with_kept(limits) => (OF_KEPT, size),
             Jacobians::Full => (ROUND_OFF, size),
@@ -47,6 +54,17 @@ impl Corrector {
             }
         };
         left <= part * limits.correction
+    }
+
+    /// Whether the residual and the error after the last correction are small if both decrease as
+    /// they did before it: `r_2 (r_2/r_1)` and [`Self::left`].
+    fn is_estimated_small(&self, limits: &StepLimits) -> bool {
+        let [.., before, last] = &self.history[self.first..] else {
+            return false;
+        };
+        let [before, now] = [before, last].map(|iteration| iteration.worst.relative);
+        let residual = now * (now / before);
+        residual <= ESTIMATED * limits.residual && self.left(last) <= ESTIMATED * limits.correction
     }
 
     /// Whether no further correction is needed.

@@ -28,6 +28,11 @@ const FLAP: &str = "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n"
 const WRONG: &[(&str, &str, &str)] = &[
     (
         "rigid",
+        "speed = 1\nazimuth = 400",
+        "the azimuth of the first blade is",
+    ),
+    (
+        "rigid",
         "",
         "rotor \"r\" has no drive, expected \"speed\", \"angle\" or \"torque\"",
     ),

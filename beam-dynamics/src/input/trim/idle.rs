@@ -1,0 +1,46 @@
+//! Controls that no expression uses.
+
+use shared_geom::document::Table;
+use shared_geom::error::{Diagnostics, SourceLocation};
+
+use super::keys::{CONTROL, NAME};
+use super::problem::TrimProblem;
+use crate::case::Model;
+use crate::elements::Element;
+
+/// Names and locations of the controls.
+pub(in crate::input) fn locations(root: &Table<'_>) -> Vec<(String, SourceLocation)> {
+    let table = root.is_table("trim").then(|| root.table("trim")).flatten();
+    let cards = table
+        .filter(|table| table.is_list(CONTROL.name()))
+        .map_or_else(Vec::new, |table| table.tables(&CONTROL));
+    let located = |card: Table<'_>| {
+        let name = card
+            .is_text(NAME.name())
+            .then(|| card.text(NAME.name()))??;
+        Some((name, card.document().location(card.line())))
+    };
+    cards.into_iter().filter_map(located).collect()
+}
+
+/// Problems of the controls whose unknown no other element reads: nothing determines them.
+pub(in crate::input) fn problems(
+    model: &Model,
+    controls: Vec<(String, SourceLocation)>,
+) -> Diagnostics {
+    let mut problems = Diagnostics::new();
+    for (name, location) in controls {
+        let label = format!("control {name}");
+        let is_own = |element: &&dyn Element| element.label() == label;
+        let own = model.system.elements().find(is_own);
+        // Parameters have no element.
+        let Some(control) = own.and_then(|element| element.scalars().first()) else {
+            continue;
+        };
+        let mut others = model.system.elements().filter(|element| !is_own(element));
+        if !others.any(|element| element.scalars().contains(control)) {
+            problems.push(location, &TrimProblem::Unused { name });
+        }
+    }
+    problems
+}
