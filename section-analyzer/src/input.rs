@@ -28,6 +28,7 @@ use crate::section::{CellMaterial, DistributedLoad, ImposedStrain, Section};
 mod assign;
 pub mod blade;
 mod cell_table;
+mod column_table;
 mod curvature;
 mod distributed;
 mod electric;
@@ -60,6 +61,7 @@ mod summary;
 mod tables;
 mod warping;
 
+pub use column_table::ColumnProblem;
 pub use distributed::DistributedProblem;
 pub use electric::{ElectricDataProblem, ElectricWarning};
 pub use electrodes::{ElectrodeProblem, circuit_word};

@@ -27,6 +27,7 @@ mod mesh_error;
 mod mesh_plot;
 mod model_section;
 mod outline;
+mod packed;
 mod parts;
 mod piezo;
 mod plane;

@@ -5,6 +5,7 @@
 mod active_twist_rotor;
 mod bimetal;
 mod composite_axes;
+mod iea15_layup;
 mod piezo;
 mod pretwisted;
 mod princeton;

@@ -18,7 +18,7 @@ mod progress;
 mod sensitivity;
 
 pub(super) use many::solve_all;
-pub(super) use one::{Outcome, Status, analyze_one, made_from};
+pub(super) use one::{Analyzed, Outcome, Status, analyze_one, made_from};
 
 /// Identifies this program by its version and the id of its build, since two builds of
 /// one version may differ.
@@ -112,11 +112,11 @@ pub(super) fn analyze_files(
         open: arguments.open.clone(),
     };
     match &jobs[..] {
-        [job] => show(analyze_one(job, &run), terminal),
+        [job] => show(analyze_one(job, &run).0, terminal),
         jobs => solve_all(
             jobs,
             arguments.threads,
-            &|_, job| analyze_one(job, &run),
+            &|_, job| analyze_one(job, &run).0,
             terminal,
         )?
         .result(),

@@ -9,11 +9,10 @@ use shared_geom::gmsh;
 use shared_geom::line::Side;
 use shared_geom::section::SectionProperties;
 
-use super::analyze::{Job, Outcome, Run, Status, analyze_one, solve_all};
+use super::analyze::{Analyzed, Job, Outcome, Run, Status, analyze_one, solve_all};
 use super::arguments::WholeBladeArguments;
-use super::restored::Restored;
+use super::restored::solution_of;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, words};
-use crate::input;
 use crate::input::layup::{self, Layup, Selection, SpanStation};
 use crate::input::result_tables::read_modes;
 use crate::output::{
@@ -189,10 +188,11 @@ impl<'a> Plan<'a> {
                 };
             }
         };
-        let outcome = analyze_one(job, &self.run);
+        let (outcome, analyzed) = analyze_one(job, &self.run);
         if let Some(properties) = outcome.properties.clone() {
+            let drawn = analyzed.filter(|_| self.are_drawn);
             let station = SolvedStation {
-                picture: self.are_drawn.then(|| picture(job)).flatten(),
+                picture: drawn.map(|analyzed| picture(analyzed, job, &properties)),
                 ..station(properties)
             };
             // each section is solved once
@@ -239,14 +239,14 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The picture of a solved section, with its stresses; `None` if its files have changed since.
-fn picture(job: &Job) -> Option<SectionPicture> {
-    let input = input::read(&job.file).ok()?;
-    let stress = match Restored::new(&input, job) {
-        Ok(restored) => Ok(Recoverer::new(&input.section, &restored.solution).unit_cell_stresses()),
+/// The picture of an analyzed section, with its stresses.
+fn picture(analyzed: Analyzed, job: &Job, properties: &SectionProperties) -> SectionPicture {
+    let (input, solution) = solution_of(analyzed, job, properties);
+    let stress = match &solution {
+        Ok(solution) => Ok(Recoverer::new(&input.section, solution).unit_cell_stresses()),
         Err(failure) => Err(failure.to_string()),
     };
-    Some(SectionPicture::new(&input, &stress))
+    SectionPicture::new(&input, &stress)
 }
 
 /// A station as tables show it.

@@ -1,71 +1,11 @@
 //! Tables of results that the report of a blade shows: reserve factors, and modes.
-//!
-//! A table has a line of column names, then a row per line, with commas between the cells and
-//! quotes where a cell has a comma.
 
 use std::path::Path;
 
 use serde::Serialize;
-use shared_geom::document::read_text;
-use shared_geom::error::{Diagnostics, Explain, SourceLocation, nearest_name, quoted};
+use shared_geom::error::Diagnostics;
 
-/// A problem of a table of results.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ResultTableProblem {
-    /// A column that is missing.
-    #[error("the table has no column \"{column}\"")]
-    NoColumn {
-        /// The column.
-        column: String,
-        /// The columns of the table.
-        known: Vec<String>,
-        /// The table to name instead.
-        expected: &'static str,
-    },
-    /// A cell without a number.
-    #[error("column \"{column}\": found \"{found}\", expected a number")]
-    NoNumber {
-        /// The column.
-        column: String,
-        /// The cell.
-        found: String,
-    },
-    /// A row that is too short or too long.
-    #[error("the row has {found} cells, expected {expected}, one for each column")]
-    Cells {
-        /// Number of its cells.
-        found: usize,
-        /// Number of columns.
-        expected: usize,
-    },
-    /// A table without rows.
-    #[error("the table has no rows")]
-    Empty,
-    /// Text that is not a table.
-    #[error("the table cannot be read: {reason}")]
-    Unreadable {
-        /// The reason.
-        reason: String,
-    },
-}
-
-impl Explain for ResultTableProblem {
-    fn help(&self) -> Option<String> {
-        let Self::NoColumn {
-            column,
-            known,
-            expected,
-        } = self
-        else {
-            return None;
-        };
-        let near = nearest_name(column, known.iter().map(String::as_str));
-        Some(match near {
-            Some(near) => format!("did you mean \"{near}\"?"),
-            None => format!("it has {}; name {expected}", quoted(known)),
-        })
-    }
-}
+use super::column_table::{ColumnTable, Row};
 
 /// The smallest reserve factor of a ply of a section over many loads.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -91,10 +31,17 @@ pub struct ListedReserve {
     pub force: [f64; 6],
 }
 
-/// Columns with numbers of [`ListedReserve`].
-const RESERVE_NUMBERS: [&str; 10] = [
+/// The columns of the table of reserve factors `NAME.strength.csv`.
+pub const RESERVES: [&str; 17] = [
+    "eta [-]",
+    "section",
+    "ply",
+    "material",
     "reserve_factor [-]",
     "failure_index [-]",
+    "criterion",
+    "mode",
+    "instant",
     "y [m]",
     "z [m]",
     "axial [N]",
@@ -128,30 +75,39 @@ pub struct ModeTable {
 /// A file that cannot be read, a column that is missing, a row that does not fit, a cell without
 /// a number.
 pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
-    let table = Table::read(
-        path,
-        "the table NAME.strength.csv of \"section-analyzer strength\"",
-    )?;
-    let texts = ["section", "ply", "criterion", "mode", "instant"];
-    let texts = table.require(texts)?;
-    let numbers = table.require(RESERVE_NUMBERS)?;
+    const REMEDY: &str = "name the table NAME.strength.csv of \"section-analyzer strength\"";
+    let table = ColumnTable::read(path, REMEDY)?;
+    let columns = table.require(RESERVES)?;
+    let [
+        _,
+        section,
+        ply,
+        _,
+        factor,
+        index,
+        criterion,
+        mode,
+        instant,
+        y,
+        z,
+        components @ ..,
+    ] = columns;
     let row = |row: &Row| {
-        let [section, ply, criterion, mode, instant] =
-            texts.map(|column| row.cells[column].clone());
-        let mut values = [0.0; 10];
-        for (value, column) in values.iter_mut().zip(numbers) {
-            *value = table.number(row, column)?;
+        let text = |column: usize| row.cells[column].clone();
+        let number = |column: usize| table.number_or_infinity(row, column);
+        let mut force = [0.0; 6];
+        for (value, column) in force.iter_mut().zip(components) {
+            *value = number(column)?;
         }
-        let [reserve_factor, failure_index, y, z, force @ ..] = values;
         Ok(ListedReserve {
-            section,
-            ply,
-            reserve_factor,
-            failure_index,
-            criterion,
-            mode,
-            instant,
-            position: [y, z],
+            section: text(section),
+            ply: text(ply),
+            reserve_factor: number(factor)?,
+            failure_index: number(index)?,
+            criterion: text(criterion),
+            mode: text(mode),
+            instant: text(instant),
+            position: [number(y)?, number(z)?],
             force,
         })
     };
@@ -163,7 +119,8 @@ pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
 /// # Errors
 /// As [`read_reserves`].
 pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
-    let table = Table::read(path, "the table NAME.modes.csv of \"beam-dynamics modes\"")?;
+    const REMEDY: &str = "name the table NAME.modes.csv of \"beam-dynamics modes\"";
+    let table = ColumnTable::read(path, REMEDY)?;
     let [speed, name, frequency] =
         table.require(["rotor speed [rpm]", "name", "frequency [Hz]"])?;
     let mut modes = ModeTable {
@@ -172,114 +129,22 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned(),
-        columns: table.columns.clone(),
+        columns: table.headings(),
         rows: Vec::new(),
         names: Vec::new(),
         speeds: Vec::new(),
         frequencies: Vec::new(),
     };
     for row in &table.rows {
-        modes.speeds.push(table.number(row, speed)?);
+        modes.speeds.push(table.number_or_infinity(row, speed)?);
         modes
             .frequencies
             .push(match row.cells[frequency].is_empty() {
                 true => None,
-                false => Some(table.number(row, frequency)?),
+                false => Some(table.number_or_infinity(row, frequency)?),
             });
         modes.names.push(row.cells[name].clone());
         modes.rows.push(row.cells.clone());
     }
     Ok(modes)
-}
-
-#[derive(Debug)]
-struct Row {
-    line: usize,
-    cells: Vec<String>,
-}
-
-/// A table with at least one row, and a cell for each column in each row.
-#[derive(Debug)]
-struct Table {
-    file: String,
-    columns: Vec<String>,
-    rows: Vec<Row>,
-    expected: &'static str,
-}
-
-impl Table {
-    fn read(path: &Path, expected: &'static str) -> Result<Self, Diagnostics> {
-        let text = read_text(path)?;
-        let file = path.display().to_string();
-        let problem = |line: usize, problem: ResultTableProblem| {
-            Diagnostics::one(SourceLocation::line(&file, line), &problem)
-        };
-        let mut reader = csv::ReaderBuilder::new()
-            .flexible(true)
-            .has_headers(false)
-            .trim(csv::Trim::All)
-            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-        let mut rows = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|error| {
-                let reason = error.to_string();
-                problem(1, ResultTableProblem::Unreadable { reason })
-            })?;
-            rows.push(Row {
-                line: record.position().map_or(1, |at| at.line() as usize),
-                cells: record.iter().map(str::to_owned).collect(),
-            });
-        }
-        if rows.len() < 2 {
-            return Err(problem(1, ResultTableProblem::Empty));
-        }
-        let columns = rows.remove(0).cells;
-        if let Some(row) = rows.iter().find(|row| row.cells.len() != columns.len()) {
-            let (found, expected) = (row.cells.len(), columns.len());
-            return Err(problem(
-                row.line,
-                ResultTableProblem::Cells { found, expected },
-            ));
-        }
-        Ok(Self {
-            file,
-            columns,
-            rows,
-            expected,
-        })
-    }
-
-    fn problem(&self, line: usize, problem: &ResultTableProblem) -> Diagnostics {
-        Diagnostics::one(SourceLocation::line(&self.file, line), problem)
-    }
-
-    /// The indices of columns.
-    fn require<const N: usize>(&self, names: [&str; N]) -> Result<[usize; N], Diagnostics> {
-        let mut found = [0; N];
-        for (found, name) in found.iter_mut().zip(names) {
-            let index = self.columns.iter().position(|known| known == name);
-            *found = index.ok_or_else(|| {
-                let problem = ResultTableProblem::NoColumn {
-                    column: name.to_owned(),
-                    known: self.columns.clone(),
-                    expected: self.expected,
-                };
-                self.problem(1, &problem)
-            })?;
-        }
-        Ok(found)
-    }
-
-    /// A number of a row; it may be infinite.
-    fn number(&self, row: &Row, column: usize) -> Result<f64, Diagnostics> {
-        let found = &row.cells[column];
-        let number = found.parse::<f64>().ok().filter(|number| !number.is_nan());
-        number.ok_or_else(|| {
-            let problem = ResultTableProblem::NoNumber {
-                column: self.columns[column].clone(),
-                found: found.clone(),
-            };
-            self.problem(row.line, &problem)
-        })
-    }
 }

@@ -1,33 +1,34 @@
 //! A section as the report page draws it: the corners of its cells, ordered by ply.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use nalgebra::Matrix6;
 use serde::Serialize;
 
 use super::cell_stress::CellStress;
+use super::packed::packed;
 use super::text::rows;
 use crate::input::{Input, InputWarning};
 use crate::material::{ElasticLaw, Material, MaterialLimits};
-use crate::mesh::SectionCell;
 use crate::properties::invert_symmetric;
 use crate::section::Section;
 
-/// The cells of a section by their corners, and its plies. Arrays are little-endian, in base64.
+/// Steps of a coordinate from one end of a section to the other.
+const STEPS: f64 = (1 << 22) as f64;
+
+/// The cells of a section by their corners, and its plies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SectionPicture {
-    /// Positions (y, z) of the corners, floats of 32 bits \[m\].
-    pub nodes: String,
-    /// Four corners of each cell, counterclockwise; triangles have the last one twice. Unsigned
-    /// integers of `index_bytes` bytes.
-    pub cells: String,
-    /// Bytes of a corner in `cells`: 2, or 4 if there are more than 65536 corners.
-    pub index_bytes: usize,
-    /// Wall direction of each cell, from the section axis y, signed integers of 16 bits
-    /// \[0.01 deg\].
-    pub plane_angles: String,
+    /// Lists of integers as one text: y and z of the corners, in steps from `origin`; four lists
+    /// of the corners of all cells, counterclockwise, of triangles the last one twice; the wall
+    /// direction of each cell, from the section axis y \[0.01 deg\].
+    pub geometry: String,
+    /// Number of corners.
+    pub corners: usize,
+    /// Smallest y and z of the corners \[m\].
+    pub origin: [f64; 2],
+    /// Step of the positions \[m\].
+    pub step: f64,
     /// The plies, in the order of their cells.
     pub plies: Vec<PlyPicture>,
     /// Stresses of the cells per unit internal force, in the order of the plies.
@@ -86,7 +87,11 @@ impl SectionPicture {
         let mut order: Vec<usize> = (0..section.mesh.cells.len()).collect();
         order.sort_by_key(|&cell| section.mesh.cells[cell].group);
         let corners = Corners::new(section, &order);
-        let angle = |&cell: &usize| hundredths(section.cells[cell].plane_angle).to_le_bytes();
+        let (origin, step) = corners.frame();
+        let angle = |&cell: &usize| hundredths(section.cells[cell].plane_angle);
+        let mut lists = corners.steps(origin, step);
+        lists.extend(corners.cells);
+        lists.push(order.iter().map(angle).collect());
         let is_of_cells =
             |warning: &&InputWarning| matches!(warning, InputWarning::PoorCells { .. });
         let warnings = summary.warnings.iter().filter(|one| !is_of_cells(one));
@@ -96,10 +101,10 @@ impl SectionPicture {
             CellStress::new(plies.map(|cells| cells.iter().map(|&cell| &stress[cell]).collect()))
         };
         Self {
-            nodes: STANDARD.encode(corners.nodes),
-            cells: STANDARD.encode(corners.cells),
-            index_bytes: corners.index_bytes,
-            plane_angles: STANDARD.encode(order.iter().flat_map(angle).collect::<Vec<u8>>()),
+            geometry: packed(&lists),
+            corners: corners.positions.len(),
+            origin,
+            step,
             plies: plies(section, &order),
             stress: stress.as_ref().ok().map(by_ply),
             materials: materials(input),
@@ -114,40 +119,58 @@ impl SectionPicture {
     }
 }
 
-/// The corners of cells, without the other nodes of the mesh.
+/// The corners of cells, without the other nodes of the mesh. They are in the order in which the
+/// cells of a ply have them as their first corner, then as their second one and so on: neighbors
+/// follow each other, so that lists are short.
+#[derive(Default)]
 struct Corners {
-    /// Positions, floats of 32 bits.
-    nodes: Vec<u8>,
-    /// Four corners of each cell.
-    cells: Vec<u8>,
-    index_bytes: usize,
+    positions: Vec<[f64; 2]>,
+    /// A list for each of the four corners of the cells.
+    cells: [Vec<i64>; 4],
 }
 
 impl Corners {
-    /// The corners of cells in an order.
+    /// The corners of cells that are ordered by ply.
     fn new(section: &Section, order: &[usize]) -> Self {
         let mesh = &section.mesh;
-        let used = mesh.cells.iter().flat_map(SectionCell::corners);
-        let mut numbers: BTreeMap<u32, u32> = used.map(|&node| (node, 0)).collect();
-        for (number, corner) in numbers.values_mut().zip(0..) {
-            *number = corner;
-        }
-        let positions = numbers.keys().flat_map(|&node| mesh.nodes[node as usize]);
-        let nodes = positions.flat_map(|x| (x as f32).to_le_bytes()).collect();
-        let index_bytes = if numbers.len() > 1 << 16 { 4 } else { 2 };
-        let mut cells = Vec::with_capacity(4 * index_bytes * order.len());
-        for &cell in order {
-            let corners = mesh.cells[cell].corners();
-            for i in 0..4 {
-                let node = corners[i.min(corners.len() - 1)];
-                cells.extend_from_slice(&numbers[&node].to_le_bytes()[..index_bytes]);
+        let mut found = Self::default();
+        let mut numbers: HashMap<u32, i64> = HashMap::new();
+        for cells in of_plies(section, order) {
+            for (i, list) in found.cells.iter_mut().enumerate() {
+                list.extend(cells.iter().map(|&cell| {
+                    let corners = mesh.cells[cell].corners();
+                    let node = corners[i.min(corners.len() - 1)];
+                    *numbers.entry(node).or_insert_with(|| {
+                        found.positions.push(mesh.nodes[node as usize]);
+                        found.positions.len() as i64 - 1
+                    })
+                }));
             }
         }
-        Self {
-            nodes,
-            cells,
-            index_bytes,
-        }
+        found
+    }
+
+    /// The smallest coordinates, and the step for both.
+    fn frame(&self) -> ([f64; 2], f64) {
+        let ends = [0, 1].map(|i| {
+            let values = || self.positions.iter().map(|position| position[i]);
+            let least = values().fold(f64::INFINITY, f64::min);
+            [least, values().fold(f64::NEG_INFINITY, f64::max) - least]
+        });
+        (
+            ends.map(|[least, _]| least),
+            ends[0][1].max(ends[1][1]) / STEPS,
+        )
+    }
+
+    /// Coordinates from an origin, in steps.
+    fn steps(&self, origin: [f64; 2], step: f64) -> Vec<Vec<i64>> {
+        let number = |i: usize, x: f64| ((x - origin[i]) / step).round() as i64;
+        let list = |i: usize| {
+            let positions = self.positions.iter();
+            positions.map(|position| number(i, position[i])).collect()
+        };
+        vec![list(0), list(1)]
     }
 }
 
@@ -191,7 +214,7 @@ fn plies(section: &Section, order: &[usize]) -> Vec<PlyPicture> {
 }
 
 /// An angle from -180 to 180 deg \[0.01 deg\].
-fn hundredths(angle: f64) -> i16 {
+fn hundredths(angle: f64) -> i64 {
     let turned = angle.to_degrees();
-    ((turned - 360.0 * (turned / 360.0).round()) * 100.0).round() as i16
+    ((turned - 360.0 * (turned / 360.0).round()) * 100.0).round() as i64
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector6;
 
 use super::text::{csv, table};
+use crate::input::result_tables::RESERVES;
 use crate::recovery::FailureIndex;
 
 /// The governing instant and point of a ply at a station.
@@ -46,27 +47,6 @@ pub struct FatigueRow {
     /// Range of equal damage [unit of the component].
     pub equivalent: f64,
 }
-
-/// Columns of the reserve factors.
-const RESERVES: [&str; 17] = [
-    "eta [-]",
-    "section",
-    "ply",
-    "material",
-    "reserve_factor [-]",
-    "failure_index [-]",
-    "criterion",
-    "mode",
-    "instant",
-    "y [m]",
-    "z [m]",
-    "axial [N]",
-    "shear_y [N]",
-    "shear_z [N]",
-    "torsion [N m]",
-    "bending_y [N m]",
-    "bending_z [N m]",
-];
 
 /// One row per station and ply, as CSV.
 pub fn strength_csv(rows: &[ReserveRow]) -> String {

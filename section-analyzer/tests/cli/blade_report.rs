@@ -5,13 +5,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use section_analyzer::input::result_tables::{read_modes, read_reserves};
 use serde_json::Value;
 
 use crate::effort;
 use crate::strength::STRENGTHS;
+use crate::unpacked::unpacked;
 use crate::whole_blade::LAYUP;
 use crate::workplace::{Run, Workplace};
 
@@ -151,14 +150,8 @@ fn data_are_the_numbers_of_the_result_files() {
     assert_eq!(angle("skin@pressure"), Some(-30.0));
 }
 
-/// Bytes of an array of a picture, in pieces of `size`.
-pub fn decoded(array: &Value, size: usize) -> Vec<Vec<u8>> {
-    let bytes = STANDARD.decode(array.as_str().unwrap()).unwrap();
-    bytes.chunks(size).map(<[u8]>::to_vec).collect()
-}
-
 /// Corners and wall directions of all cells against the section that the program reads: corners
-/// within the digits of 32 bits for a chord of 0.5 m, angles within half of 0.01 deg.
+/// within half a step of 2^-22 of the chord of at most 0.5 m, angles within half of 0.01 deg.
 #[test]
 fn cells_are_the_cells_of_the_mesh_in_the_order_of_plies() {
     let workplace = reported(&["--stations", "0.2,0.7"]);
@@ -170,23 +163,19 @@ fn cells_are_the_cells_of_the_mesh_in_the_order_of_plies() {
         let (mesh, picture) = (&section.mesh, &station["picture"]);
         let mut order: Vec<usize> = (0..mesh.cells.len()).collect();
         order.sort_by_key(|&cell| mesh.cells[cell].group);
-        let float = |four: Vec<u8>| f64::from(f32::from_le_bytes(four.try_into().unwrap()));
-        let nodes: Vec<f64> = decoded(&picture["nodes"], 4)
-            .into_iter()
-            .map(float)
-            .collect();
-        let integer = |two: Vec<u8>| usize::from(u16::from_le_bytes(two.try_into().unwrap()));
-        let cells: Vec<usize> = decoded(&picture["cells"], 2)
-            .into_iter()
-            .map(integer)
-            .collect();
-        let angle = |two: Vec<u8>| f64::from(i16::from_le_bytes(two.try_into().unwrap())) / 100.0;
-        let angles: Vec<f64> = decoded(&picture["plane_angles"], 2)
-            .into_iter()
-            .map(angle)
-            .collect();
-        assert_eq!((cells.len(), angles.len()), (4 * order.len(), order.len()));
-        for ((corners, angle), &cell) in cells.chunks(4).zip(angles).zip(&order) {
+        let count = order.len();
+        let corners = picture["corners"].as_u64().unwrap() as usize;
+        let lengths = [corners, corners, count, count, count, count, count];
+        let lists = unpacked(picture["geometry"].as_str().unwrap(), &lengths);
+        let step = picture["step"].as_f64().unwrap();
+        assert!(step <= 0.51 / f64::from(1 << 22), "{step}");
+        let place = |axis: usize, corner: i64| {
+            let origin = picture["origin"][axis].as_f64().unwrap();
+            origin + step * lists[axis][corner as usize] as f64
+        };
+        for (number, &cell) in order.iter().enumerate() {
+            let corners = [2, 3, 4, 5].map(|list| lists[list][number]);
+            let angle = lists[6][number] as f64 / 100.0;
             let expected = mesh.cells[cell].corners();
             match expected.len() {
                 4 => quadrilaterals += 1,
@@ -195,8 +184,8 @@ fn cells_are_the_cells_of_the_mesh_in_the_order_of_plies() {
             for (i, corner) in corners.iter().enumerate() {
                 let node = expected[i.min(expected.len() - 1)] as usize;
                 for axis in 0..2 {
-                    let error = nodes[2 * corner + axis] - mesh.nodes[node][axis];
-                    assert!(error.abs() < 3e-8, "{name} {cell}: {error}");
+                    let error = place(axis, *corner) - mesh.nodes[node][axis];
+                    assert!(error.abs() < 0.501 * step, "{name} {cell}: {error}");
                 }
             }
             let turned = angle.to_radians() - section.cells[cell].plane_angle;
@@ -237,9 +226,10 @@ fn names_cannot_break_the_page() {
 
 const MODES: &str =
     "rotor speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
-const RESERVES: &str = "section,ply,reserve_factor [-],failure_index [-],criterion,mode,instant,y [m],z [m],\
-                        axial [N],shear_y [N],shear_z [N],torsion [N m],bending_y [N m],bending_z [N m]\n\
-                        eta_0.1000,cap,inf,0,max_stress,fiber,load,0.1,-0.02,1,2,3,4,5,-6e3\n";
+const RESERVES: &str = "eta [-],section,ply,material,reserve_factor [-],failure_index [-],criterion,mode,\
+                        instant,y [m],z [m],axial [N],shear_y [N],shear_z [N],torsion [N m],\
+                        bending_y [N m],bending_z [N m]\n\
+                        0.1,eta_0.1000,cap,foam,inf,0,max_stress,fiber,load,0.1,-0.02,1,2,3,4,5,-6e3\n";
 
 /// Quotes, empty frequencies and infinite factors are read; wrong tables are refused with line and
 /// remedy.

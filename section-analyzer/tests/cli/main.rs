@@ -31,5 +31,7 @@ mod sensitivity;
 mod strength;
 mod stress;
 mod unchanged;
+#[path = "../../../tests/common/unpacked.rs"]
+mod unpacked;
 mod whole_blade;
 mod workplace;

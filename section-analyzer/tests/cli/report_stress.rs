@@ -8,8 +8,9 @@ use section_analyzer::recovery::{LoadCase, Recoverer, Recovery, failure_indices}
 use section_analyzer::solution::SectionSolution;
 use serde_json::{Value, json};
 
-use crate::blade_report::{REPORT, blade, data, decoded, open_in_browser};
+use crate::blade_report::{REPORT, blade, data, open_in_browser};
 use crate::strength::STRENGTHS;
+use crate::unpacked::unpacked;
 use crate::whole_blade::LAYUP;
 use crate::workplace::Workplace;
 
@@ -60,10 +61,10 @@ struct Station {
     solution: SectionSolution,
     /// The cells in the order of the report, with their ply.
     cells: Vec<(usize, usize)>,
-    values: Vec<i16>,
-    scales: Vec<f32>,
-    /// The first cell of each ply, and the number of its cells.
-    plies: Vec<(usize, usize)>,
+    /// For each ply the exponents of its steps, and the numbers of its cells.
+    lists: Vec<Vec<i64>>,
+    /// The first cell of each ply.
+    plies: Vec<usize>,
 }
 
 fn stations(workplace: &Workplace) -> Vec<Station> {
@@ -77,8 +78,7 @@ fn stations(workplace: &Workplace) -> Vec<Station> {
         order.sort_by_key(|&cell| mesh.cells[cell].group);
         let picture = &station["picture"];
         let counts = picture["plies"].as_array().unwrap().iter();
-        let mut plies = Vec::new();
-        let mut cells = Vec::new();
+        let (mut plies, mut cells, mut lengths) = (Vec::new(), Vec::new(), Vec::new());
         for count in counts.map(|ply| ply["cells"].as_u64().unwrap() as usize) {
             let first = cells.len();
             cells.extend(
@@ -86,24 +86,15 @@ fn stations(workplace: &Workplace) -> Vec<Station> {
                     .iter()
                     .map(|&cell| (cell, plies.len())),
             );
-            plies.push((first, count));
+            plies.push(first);
+            lengths.extend(std::iter::once(36).chain(vec![count; 36]));
         }
-        let stress = &picture["stress"];
-        let integer = |two: Vec<u8>| i16::from_le_bytes(two.try_into().unwrap());
-        let float = |four: Vec<u8>| f32::from_le_bytes(four.try_into().unwrap());
         Station {
             name,
             solution: analyze(&input.section).unwrap(),
             input,
             cells,
-            values: decoded(&stress["values"], 2)
-                .into_iter()
-                .map(integer)
-                .collect(),
-            scales: decoded(&stress["scales"], 4)
-                .into_iter()
-                .map(float)
-                .collect(),
+            lists: unpacked(picture["stress"].as_str().unwrap(), &lengths),
             plies,
         }
     };
@@ -116,18 +107,18 @@ fn stations(workplace: &Workplace) -> Vec<Station> {
 }
 
 impl Station {
-    /// The stress of a cell in the report under a force, and its largest error: half of the
-    /// scale for each unit of force, and the round-off of scales of 32 bits.
+    /// The stress of a cell in the report under a force, and its largest error: half of a step for
+    /// each unit of force.
     fn shown(&self, cell: usize, component: usize, force: &Vector6<f64>) -> (f64, f64) {
         let ply = self.cells[cell].1;
-        let (first, count) = self.plies[ply];
+        let lists = &self.lists[37 * ply..37 * ply + 37];
         let (mut stress, mut error) = (0.0, 0.0);
         for (i, part) in force.iter().enumerate() {
             let number = 6 * i + component;
-            let scale = f64::from(self.scales[36 * ply + number]);
-            let value = self.values[36 * first + count * number + cell - first];
-            stress += part * scale * f64::from(value);
-            error += 0.503 * part.abs() * scale;
+            let step = 2.0_f64.powi(lists[0][number] as i32);
+            let value = lists[1 + number][cell - self.plies[ply]];
+            stress += part * step * value as f64;
+            error += 0.5 * part.abs() * step;
         }
         (stress, error)
     }

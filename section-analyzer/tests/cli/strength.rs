@@ -164,17 +164,17 @@ fn wrong_tables_are_refused_with_their_line() {
         (
             "arc [s],bending y [N m]\n1,2\n",
             &[],
-            "loads.csv:1: column \"arc\": ",
+            "loads.csv:1: column \"arc [s]\": ",
         ),
         (
             "arc [m],bending y [N m]\n1,2\n2,x\n",
             &[],
-            "loads.csv:3: column \"bending_y\": found \"x\", expected a number",
+            "loads.csv:3: column \"bending y [N m]\": found \"x\", expected a number",
         ),
         (
             "arc,bending y\n1,nan\n",
             &[],
-            "loads.csv:2: column \"bending_y\": found \"nan\"",
+            "loads.csv:2: column \"bending y\": found \"nan\"",
         ),
         ("bending y [N m]\n1\n", &[], "has no column \"arc_length\""),
         (

@@ -27,7 +27,8 @@ fn stations(name: &str) -> Vec<Value> {
 }
 
 /// Meshed areas of the layers of more than 1 % of a station, relative to thickness times width on
-/// the curved surface without the part that contacts cut; the worst one.
+/// the curved surface, of the independent mesher without the part that its contacts cut, or of ours
+/// without mitres, which close more bases by a wall; the worst one.
 fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
     let eta = number(&station["eta"]);
     let meshed = layup.mesh(eta).map_err(|problems| problems.to_string())?;
@@ -42,7 +43,13 @@ fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
         .areas
         .iter()
         .filter(|area| area.meshed > 0.01 * total);
-    let error = |area: &LayerArea| Some((area.name.clone(), area.meshed / of(&area.name)? - 1.0));
+    let error = |area: &LayerArea| {
+        let errors = [of(&area.name)?, area.nominal].map(|other| area.meshed / other - 1.0);
+        let least = errors
+            .into_iter()
+            .min_by(|a, b| a.abs().total_cmp(&b.abs()));
+        Some((area.name.clone(), least?))
+    };
     let worst = large.filter_map(error);
     let worst = worst.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
     Ok(worst.unwrap_or((String::new(), 0.0)))
@@ -61,8 +68,7 @@ fn differences(layup: &Layup, station: &Value, sources: [&str; 2]) -> [[f64; 5];
 
 /// Areas of the layers are within 0.5 % at 69 of the 76 stations. At five more one or two layers
 /// are up to 2.2 % off: inner skins and layers of the trailing edge that contacts cut between two
-/// stations. Two stations of IEA-10 are refused by the name of a layer: the tip, with walls of
-/// 14 mm in a nose of 8 mm, and a root with thick walls at a thin rear.
+/// stations. The tip of IEA-10 is refused by the name of a layer: walls of 14 mm in a nose of 8 mm.
 #[test]
 fn all_stations_of_public_blades_are_meshed() {
     let mut counts = [0, 0, 0];
@@ -74,7 +80,7 @@ fn all_stations_of_public_blades_are_meshed() {
                 Err(problem) => {
                     println!("{name} {eta}: {problem}");
                     assert!(problem.contains("layer \""), "{problem}");
-                    assert!(name == "iea10", "{name} {eta}: {problem}");
+                    assert!((name, eta) == ("iea10", 1.0), "{name} {eta}: {problem}");
                     counts[2] += 1;
                 }
                 Ok((layer, error)) => {
@@ -85,14 +91,51 @@ fn all_stations_of_public_blades_are_meshed() {
             }
         }
     }
-    assert!(counts[0] >= 69 && counts[2] <= 2, "{counts:?}");
+    assert!(counts[0] >= 69 && counts[2] == 1, "{counts:?}");
+}
+
+/// Between the root and the first airfoil of IEA-15 the contour goes from a circle to a base with
+/// a hook before its corner; the wall is as thick as the base is long. All of it is meshed, and
+/// every layer of more than 1 % has its area on the curved surface with mitred corners within 0.5 %,
+/// or 1 % beside the hook of IEA-10, whose curvature changes within the thickness of the wall.
+#[test]
+fn bases_that_begin_are_walls() {
+    for (file, most, etas) in [
+        (
+            "windio1_iea15",
+            5e-3,
+            [0.02, 0.035, 0.045, 0.052, 0.0612, 0.069, 0.09],
+        ),
+        (
+            "windio2_iea10",
+            1e-2,
+            [0.03, 0.06, 0.08, 0.095, 0.1034, 0.11, 0.12],
+        ),
+    ] {
+        let layup = blade(file);
+        for eta in etas {
+            let meshed = layup.mesh(eta);
+            let meshed = meshed.unwrap_or_else(|problems| panic!("{file} {eta}: {problems}"));
+            let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
+            for area in &meshed.areas {
+                let error = area.meshed / area.nominal - 1.0;
+                println!("{file} {eta} {} {error:.5}", area.name);
+                assert!(
+                    error.abs() < most || area.meshed < 0.01 * total,
+                    "{file} {eta}: {} {error}",
+                    area.name
+                );
+            }
+        }
+    }
 }
 
 /// Largest differences from the independent mesher: mass, EA, flap, edge, GJ. Its edges, ramps and
-/// cells are others, which counts at the thin tips and in the small contacts of rear edges.
+/// cells are others, which counts at the thin tips and in the small contacts of rear edges; it cuts
+/// 0.6 % of the wall of IEA-15 at 0.05, where ours runs around.
 const MESHER: [(&str, [f64; 5]); 4] = [
     ("iea22", [2e-3, 2e-3, 2e-3, 6e-3, 5e-3]),
-    ("iea15", [5e-3, 5e-3, 5e-3, 5e-3, 1e-2]),
+    ("iea15", [7e-3, 7e-3, 1e-2, 8e-3, 1e-2]),
     ("iea34", [5e-3, 5e-3, 5e-3, 2.5e-2, 2e-2]),
     ("iea10", [5e-3, 5e-3, 5e-3, 1e-2, 1e-2]),
 ];

@@ -26,6 +26,7 @@ use crate::output::{
 };
 use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
+use crate::sensitivity::Parameter;
 use crate::solution::SectionSolution;
 
 /// Outcome of the analysis of a section.
@@ -113,25 +114,46 @@ impl Outcome {
     }
 }
 
+/// A section that has been analyzed, for further results without reading or solving it again.
+#[derive(Debug)]
+pub(in crate::cli) struct Analyzed {
+    /// The section as read.
+    pub input: Input,
+    /// Its solution; `None` if nothing has changed since its files were written, or if it has
+    /// none.
+    pub solution: Option<SectionSolution>,
+}
+
 /// Reads, solves and writes one section, unless nothing has changed since it was
-/// written.
-pub(in crate::cli) fn analyze_one(job: &Job, run: &Run) -> Outcome {
-    let mut input = match input::read(&job.file) {
-        Ok(input) => input,
-        Err(problems) => return Outcome::wrong_input(problems.to_string()),
-    };
-    if let Err(problems) = open(&mut input, &run.open) {
-        return Outcome::wrong_input(problems);
+/// written; returns the section too if its input is sound.
+pub(in crate::cli) fn analyze_one(job: &Job, run: &Run) -> (Outcome, Option<Analyzed>) {
+    match checked(job, run) {
+        Err(problems) => (Outcome::wrong_input(problems), None),
+        Ok((input, parameters, files)) => {
+            let (outcome, solution) = analyze_checked(job, run, (&input, parameters), files);
+            (outcome, Some(Analyzed { input, solution }))
+        }
     }
-    let parameters = match require_known(&input, run).and_then(|()| parameters(&input, run)) {
-        Ok(parameters) => parameters,
-        Err(problems) => return Outcome::wrong_input(problems),
-    };
-    let files = match OutputFiles::new(&job.folder, &job.name) {
-        Ok(files) => files,
-        Err(problem) => return Outcome::wrong_input(words(&problem)),
-    };
-    let made_from = made_from(&input, run);
+}
+
+/// The input of a section, the parameters of its derivatives, and its files; or all problems of
+/// the input.
+fn checked(job: &Job, run: &Run) -> Result<(Input, Option<Vec<Parameter>>, OutputFiles), String> {
+    let mut input = input::read(&job.file).map_err(|problems| problems.to_string())?;
+    open(&mut input, &run.open)?;
+    require_known(&input, run)?;
+    let parameters = parameters(&input, run)?;
+    let files = OutputFiles::new(&job.folder, &job.name).map_err(|problem| words(&problem))?;
+    Ok((input, parameters, files))
+}
+
+fn analyze_checked(
+    job: &Job,
+    run: &Run,
+    (input, parameters): (&Input, Option<Vec<Parameter>>),
+    files: OutputFiles,
+) -> (Outcome, Option<SectionSolution>) {
+    let made_from = made_from(input, run);
     let unchanged = match run.force {
         true => None,
         false => unchanged(&files, &made_from),
@@ -139,20 +161,24 @@ pub(in crate::cli) fn analyze_one(job: &Job, run: &Run) -> Outcome {
     let mut removed = no_longer_requested(&files, run);
     let solve = || {
         let results = ResultWriter::new(files).with_figures(run.figures);
-        let in_circuit = |found| InCircuit::new(&input, found, run);
-        match analyzed(&input, parameters).and_then(in_circuit) {
-            Ok(found) => solved(job, &input, &found, results, &made_from),
-            Err(failure) => failed(job, &input, &failure, results),
+        let in_circuit = |found| InCircuit::new(input, found, run);
+        match analyzed(input, parameters).and_then(in_circuit) {
+            Ok(found) => (
+                solved(job, input, &found, results, &made_from),
+                Some(found.found.solution),
+            ),
+            Err(failure) => (failed(job, input, &failure, results), None),
         }
     };
-    let outcome = unchanged.unwrap_or_else(solve);
+    let (outcome, solution) = unchanged.map_or_else(solve, |outcome| (outcome, None));
     removed.retain(|file| !file.exists());
-    Outcome {
+    let outcome = Outcome {
         removed,
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: input.summary.warnings.len(),
         ..outcome
-    }
+    };
+    (outcome, solution)
 }
 
 /// Results on request of an earlier run that this run does not request.

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use crate::input::layup::Layup;
 use crate::input::result_tables::{ListedReserve, ModeTable, read_reserves};
 use crate::mesh::short;
-use crate::output::{Remark, ReportPage, SolvedSpan, SolvedStation, SpanFiles};
+use crate::output::{Remark, ReportPage, SolvedSpan, SpanFiles};
 
 /// Part of a layer that is cut or filled from which there is a remark [-].
 const CUT: f64 = 0.01;
@@ -38,13 +38,6 @@ impl Request {
                 self.missing.join(", ")
             )));
         }
-        let is_not_drawn = |station: &&SolvedStation| station.picture.is_none();
-        remarks.extend(span.stations.iter().filter(is_not_drawn).map(|station| {
-            let name = &station.properties.name;
-            about_blade(format!(
-                "section {name} cannot be drawn: its files have changed"
-            ))
-        }));
         let reserves = match reserves(span, files) {
             Ok(reserves) => reserves,
             Err(reason) => {

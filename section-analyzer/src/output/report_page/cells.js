@@ -6,35 +6,59 @@ function bytes(text) {
   for (let i = 0; i < binary.length; i += 1) found[i] = binary.charCodeAt(i);
   return new DataView(found.buffer);
 }
-function numbers(text, size, read) {
+// Lists of integers of some lengths from one text: Rice codes of the errors of a prediction.
+function unpacked(text, lengths) {
+  const [long, whole] = [20, 40];
   const view = bytes(text);
-  return Array.from({ length: view.byteLength / size }, (_, i) => read(view, i * size));
+  let at = 0;
+  const bit = () => {
+    const found = (view.getUint8(at >> 3) >> (7 - (at & 7))) & 1;
+    at += 1;
+    return found;
+  };
+  const number = (count) => {
+    let found = 0;
+    for (let i = 0; i < count; i += 1) found = 2 * found + bit();
+    return found;
+  };
+  const code = (low) => {
+    let high = 0;
+    while (high < long && bit() === 1) high += 1;
+    return high === long ? number(whole) : high * 2 ** low + number(low);
+  };
+  return lengths.map((length) => {
+    const [order, low] = [number(2), number(5)];
+    let [last, before] = [0, 0];
+    return Array.from({ length }, () => {
+      const error = code(low);
+      const found = [0, last, 2 * last - before][order] + (error % 2 === 0 ? error / 2 : -(error + 1) / 2);
+      [before, last] = [last, found];
+      return found;
+    });
+  });
 }
 // The cells of a station: corners, layer, ply, middle; decoded once.
 function decoded(station) {
   if (station.cells) return station;
   const picture = station.picture;
-  const nodes = numbers(picture.nodes, 4, (view, at) => view.getFloat32(at, true));
-  const size = picture.index_bytes;
-  const corners = numbers(picture.cells, size, (view, at) => (size === 2 ? view.getUint16(at, true) : view.getUint32(at, true)));
-  const planes = numbers(picture.plane_angles, 2, (view, at) => view.getInt16(at, true) / 100);
+  const count = picture.mesh_cells;
+  const [y, z, ...lists] = unpacked(picture.geometry, [picture.corners, picture.corners, count, count, count, count, count]);
+  const [planes, corners] = [lists.pop(), lists];
+  const place = (node) => [y[node], z[node]].map((number, axis) => picture.origin[axis] + number * picture.step);
   const layers = new Map(station.layers.map((layer) => [layer.name, layer]));
   const cells = [];
   for (const ply of picture.plies) {
     const layer = layers.get(ply.ply) ?? layers.get(ply.ply.replace(/@[^@]*$/, ""));
     for (let i = 0; i < ply.cells; i += 1) {
       const k = cells.length;
-      const points = corners.slice(4 * k, 4 * k + 4).map((node) => [nodes[2 * node], nodes[2 * node + 1]]);
-      const used = points[3] === points[2] || corners[4 * k + 3] === corners[4 * k + 2] ? 3 : 4;
+      const points = corners.map((list) => place(list[k]));
+      const used = corners[3][k] === corners[2][k] ? 3 : 4;
       const middle = [0, 1].map((axis) => points.slice(0, used).reduce((sum, point) => sum + point[axis], 0) / used);
-      cells.push({ number: k, points, middle, ply, station, plane: planes[k], layer: layer ? layer.name : ply.ply, thickness: layer ? layer.thickness : null, arcs: layer ? layer.arcs : null });
+      cells.push({ number: k, points, middle, ply, station, plane: planes[k] / 100, layer: layer ? layer.name : ply.ply, thickness: layer ? layer.thickness : null, arcs: layer ? layer.arcs : null });
     }
   }
   station.cells = cells;
-  station.box = [0, 1].map((axis) => {
-    const all = nodes.filter((_, i) => i % 2 === axis);
-    return [all.reduce((a, b) => Math.min(a, b), Infinity), all.reduce((a, b) => Math.max(a, b), -Infinity)];
-  });
+  station.box = [y, z].map((all, axis) => [0, all.reduce((a, b) => Math.max(a, b), 0)].map((number) => picture.origin[axis] + number * picture.step));
   station.grid = gridOf(station);
   return station;
 }

@@ -2,22 +2,16 @@
 
 const materials = new Map(data.materials.map((one) => [one.name, one]));
 const hasLimits = data.materials.some(({ strength, strain }) => strength || strain);
-// For each cell the integers of its ply, their scales, the number of cells of the ply, and the
-// number of the cell in it.
+// For each cell its 36 stresses per unit force; also the steps of these numbers, by ply.
 function unitStresses(station) {
-  if (station.units || !station.picture.stress) return station.units;
-  const { values, scales } = station.picture.stress;
-  const integers = bytes(values);
-  const factors = numbers(scales, 4, (view, at) => view.getFloat32(at, true));
-  station.units = [];
-  let first = 0;
-  station.picture.plies.forEach(({ cells }, ply) => {
-    const own = factors.slice(36 * ply, 36 * ply + 36);
-    for (let i = 0; i < cells; i += 1) {
-      const at = (number) => integers.getInt16(2 * (36 * first + number * cells + i), true);
-      station.units.push(own.map((factor, number) => factor * at(number)));
-    }
-    first += cells;
+  const { stress, plies } = station.picture;
+  if (station.units || !stress) return station.units;
+  const lists = unpacked(stress, plies.flatMap(({ cells }) => [36, ...Array(36).fill(cells)]));
+  const ofPly = (ply) => lists.slice(37 * ply, 37 * ply + 37);
+  station.steps = plies.map((_, ply) => ofPly(ply)[0].map((exponent) => 2 ** exponent));
+  station.units = plies.flatMap(({ cells }, ply) => {
+    const [, ...all] = ofPly(ply);
+    return Array.from({ length: cells }, (_, i) => all.map((list, number) => list[i] * station.steps[ply][number]));
   });
   return station.units;
 }

@@ -58,7 +58,7 @@ fn nominal(wall: &Wall) -> Vec<f64> {
         }
     }
     // a mitre takes of both sides
-    for corner in wall.outline.breaks() {
+    for corner in &wall.mitres {
         let mut outer = 0.0;
         for (layer, inner) in wall.stack.depths(corner.s).into_iter().enumerate() {
             sums[layer] -= (inner * inner - outer * outer) * corner.tangent;

@@ -14,18 +14,18 @@ use shared_geom::quadrature;
 use shared_geom::spline::Spline;
 
 use super::super::super::distance;
-use super::polygon::{crossing, turn};
+use super::polygon::{crossing, is_smooth, turn};
 use super::problem::LayupProblem;
 
 /// Points repeated at both ends of a smooth contour.
 const OVERLAP: usize = 8;
 /// Steps of the table of arc length.
 const STEPS: usize = 3000;
-/// A turn at the trailing edge is no corner below the first of these \[rad\], and below the second
-/// \[rad\] or the third times the turns beside it [-].
-const SMOOTH: [f64; 3] = [0.7, 0.035, 3.0];
 /// Parts of the contour, from its ends, within which and at which distance points are kept.
 const ROUNDING: [f64; 2] = [0.01, 1e-3];
+/// Sum of the turns at both ends of a base below which the rear is round \[rad\]: 135 degrees; both
+/// turns are 180 degrees if the sides are parallel.
+const ROUND_BEHIND: f64 = 2.36;
 /// A turn at a point given twice is a corner above this angle \[rad\]: 10 degrees.
 const TURN: f64 = 0.175;
 /// Part of the contour within which the nose is at a corner.
@@ -350,6 +350,25 @@ impl Outline {
         [z / length, -y / length]
     }
 
+    /// Tangents of half the turns at the corners of the trailing edge, between side and base.
+    pub fn rear_tangents(&self) -> [f64; 2] {
+        let base = self.base_inward();
+        self.corners().map(|s| {
+            let n = self.inward(s);
+            let (cosine, sine) = (
+                n[0] * base[0] + n[1] * base[1],
+                n[0] * base[1] - n[1] * base[0],
+            );
+            (0.5 * sine.abs().atan2(cosine)).tan()
+        })
+    }
+
+    /// Whether both sides turn to the base so little that they do not run beside each other there.
+    pub fn is_round_behind(&self) -> bool {
+        let turns = self.rear_tangents().map(|tangent| 2.0 * tangent.atan());
+        turns[0] + turns[1] < ROUND_BEHIND
+    }
+
     /// Curvature, positive if the section is convex.
     pub fn bend(&self, s: f64) -> f64 {
         if self.on_base(s).is_some() {
@@ -459,23 +478,4 @@ fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupProblem> {
         ));
     }
     Ok([distinct, sharp])
-}
-
-/// Whether the ends of the points are no corners: the direction changes there about as much as
-/// beside them.
-fn is_smooth(points: &[[f64; 2]], is_closed: bool) -> bool {
-    let last = points.len() - 1;
-    let line = |a: usize, b: usize| [0, 1].map(|i| points[b][i] - points[a][i]);
-    let angle = |a: [f64; 2], b: [f64; 2]| {
-        let (sine, cosine) = (a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
-        sine.atan2(cosine).abs()
-    };
-    let [first, end] = [line(0, 1), line(last - 1, last)];
-    let base = line(last, 0);
-    let turn = match is_closed {
-        true => angle(end, first),
-        false => angle(end, base).max(angle(base, first)),
-    };
-    let beside = angle(first, line(1, 2)).max(angle(line(last - 2, last - 1), end));
-    turn < SMOOTH[0] && turn < SMOOTH[1].max(SMOOTH[2] * beside)
 }

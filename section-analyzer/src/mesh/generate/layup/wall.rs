@@ -4,8 +4,7 @@
 //! the layers of both sides meet:
 //!
 //! ```text
-//! v = (n1 + n2) / (1 + n1 . n2)              at a mitred corner,
-//! v = n + t tan(turn/2) (1 - x/R)            at the distance x < R from it,
+//! v = n + M e                                beside a mitred corner,
 //! v = u / (u . n)                            on the line u of a pair in a contact,
 //! v = (1 - w) n + w u / (u . n)              before and behind the contact,
 //! ```
@@ -13,15 +12,13 @@
 //! all with v . n = 1.
 
 use super::super::super::distance;
-use super::mitre::{FADE, Mitre, mitres};
+use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
 use super::pairs::{FOREMOST, Pair, Pairs};
 use super::problem::LayupProblem;
 use super::stack::Stack;
 use super::types::LayupSection;
 
-/// A base longer than this many times `T tan(turn/2)` is closed by a wall.
-const WALL_BASE: f64 = 2.2;
 /// Reach of a contact, in sizes of cells and in thicknesses.
 const REACH: [f64; 2] = [2.5, 1.5];
 /// Part of the radius of the inscribed circle that layers may fill.
@@ -62,8 +59,8 @@ pub(super) struct Wall {
     pub zones: Vec<[f64; 2]>,
     /// Length of cells along the contour.
     pub size: f64,
-    /// Mitres at the corners that are not at the trailing edge.
-    mitres: Vec<Mitre>,
+    /// Mitres at its corners.
+    pub mitres: Vec<Mitre>,
 }
 
 /// A column of cells.
@@ -98,7 +95,8 @@ impl Wall {
         };
         if wall.edge == Edge::Wall {
             wall.find_contacts(reach);
-            let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - wall.mitre_reach() / wall.chord();
+            let fade = wall.rear().map(Mitre::reach).fold(0.0, f64::max);
+            let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - fade / wall.chord();
             if wall.zones.iter().any(meets) {
                 wall = Self::of_kind(section, outline, size, false);
             }
@@ -120,7 +118,7 @@ impl Wall {
         let kind = (is_ring, ends, seam);
         let stack = Stack::new(&section.layers, outline.perimeter(), size, kind);
         Self {
-            mitres: mitres(outline, &stack),
+            mitres: mitres(outline, &stack, is_ring && !outline.is_smooth()),
             stack,
             pairs: Pairs::new(outline, ends),
             outline: outline.clone(),
@@ -139,33 +137,20 @@ impl Wall {
         )
     }
 
-    /// Half the tangent of the turn at each corner of the base.
-    fn tangents(&self) -> [f64; 2] {
-        let base = self.outline.base_inward();
-        self.outline.corners().map(|s| {
-            let n = self.outline.inward(s);
-            let (cosine, sine) = (
-                n[0] * base[0] + n[1] * base[1],
-                n[0] * base[1] - n[1] * base[0],
-            );
-            (0.5 * sine.abs().atan2(cosine)).tan()
-        })
-    }
-
-    /// Lengths that the mitre takes of the surfaces at each corner.
-    fn mitres(&self) -> [f64; 2] {
-        let (corners, tangents) = (self.outline.corners(), self.tangents());
-        [0, 1].map(|i| self.stack.total(corners[i]) * tangents[i])
-    }
-
-    fn mitre_reach(&self) -> f64 {
-        self.mitres().into_iter().fold(0.0, f64::max) * FADE
+    /// The mitres at the base.
+    fn rear(&self) -> impl Iterator<Item = &Mitre> {
+        self.mitres.iter().filter(|one| one.is_rear)
     }
 
     /// Whether the base is long enough for a wall.
     fn has_wall(&self) -> bool {
-        let most = self.mitres().into_iter().fold(0.0, f64::max);
-        self.outline.base() > WALL_BASE * most && most > 0.0
+        let lengths = || self.rear().map(|one| one.length);
+        let both: f64 = lengths().sum();
+        let taken = match self.outline.is_round_behind() {
+            true => both,
+            false => 2.0 * lengths().fold(0.0, f64::max),
+        };
+        MOST_OF_WAY * self.outline.base() > taken && both > 0.0
     }
 
     /// Cuts off an edge that is too thin for the first layer of both sides.
@@ -251,7 +236,9 @@ impl Wall {
     fn radius(&self, s: f64, points: &[(f64, [f64; 2])]) -> f64 {
         let outline = &self.outline;
         // in a mitre the columns of both sides meet on its line
-        if self.mitres.iter().any(|one| one.part(s).is_some()) {
+        let is_round = outline.is_round_behind();
+        let mut mitres = self.mitres.iter().filter(|one| is_round || !one.is_rear);
+        if mitres.any(|one| one.part(s).is_some()) {
             return f64::INFINITY;
         }
         let (p, n, nose) = (outline.position(s), outline.inward(s), outline.nose());
@@ -315,11 +302,18 @@ impl Wall {
             _ => self.pairs.x(side, s).min(1.0),
         };
         let Some(weight) = self.weight(s, x) else {
-            let depths = self.depths(s, None);
+            let (along, lean) = self.mitred(s);
+            let depths = self.depths(s, None).into_iter();
+            let bend = match lean == 0.0 {
+                true => 0.0,
+                false => self.outline.bend(s),
+            };
             return Column {
                 point,
-                along: self.mitred(s),
-                depths,
+                along,
+                depths: depths
+                    .map(|depth| leaned_depth(depth, lean, bend))
+                    .collect(),
                 is_closed: false,
             };
         };
@@ -391,36 +385,17 @@ impl Wall {
         })
     }
 
-    /// Direction of a column far from contacts.
-    fn mitred(&self, s: f64) -> [f64; 2] {
+    /// Direction of a column far from contacts, and its lean.
+    fn mitred(&self, s: f64) -> ([f64; 2], f64) {
         let n = self.outline.inward(s);
         // t, along the contour
         let t = [-n[1], n[0]];
-        if let Some(lean) = self.mitres.iter().find_map(|one| one.part(s)) {
-            return [0, 1].map(|k| n[k] + lean * t[k]);
-        }
-        if self.edge != Edge::Wall {
-            return n;
-        }
-        let (corners, tangents) = (self.outline.corners(), self.tangents());
-        let mut along = n;
-        for i in 0..2 {
-            let x = s - corners[i];
-            let is_on_base = (i == 0 && x < 0.0) || (i == 1 && x > 0.0);
-            let whole = FADE * self.stack.total(corners[i]) * tangents[i];
-            let reach = if is_on_base {
-                whole.min(0.5 * self.outline.base())
-            } else {
-                whole
-            };
-            let fade = 1.0 - x.abs() / reach;
-            if fade > 0.0 {
-                // back before the corner, ahead behind it
-                let sign = if (i == 0) == is_on_base { -1.0 } else { 1.0 };
-                along = [0, 1].map(|k| along[k] + sign * tangents[i] * fade * t[k]);
-            }
-        }
-        along
+        let lean = self
+            .mitres
+            .iter()
+            .find_map(|one| one.part(s))
+            .unwrap_or(0.0);
+        ([0, 1].map(|k| n[k] + lean * t[k]), lean)
     }
 
     /// Depths of the faces of layers and of the cells in them, cut at a limit.
@@ -467,6 +442,14 @@ impl Wall {
             *face = limit;
         }
     }
+}
+
+/// The part of a leaned column, in its direction, with this depth normal to a circle of the
+/// curvature of the contour: the root d of `(1 + M^2) k d^2 - 2 d + 2 depth - k depth^2 = 0`.
+fn leaned_depth(depth: f64, lean: f64, bend: f64) -> f64 {
+    let twice = depth * (2.0 - bend * depth);
+    let root = 1.0 - (1.0 + lean * lean) * bend * twice;
+    twice / (1.0 + root.max(0.0).sqrt())
 }
 
 impl Column {
