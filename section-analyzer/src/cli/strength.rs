@@ -1,5 +1,6 @@
 //! `section-analyzer strength`: reserve factors of the plies of a blade, and fatigue loads.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -28,6 +29,8 @@ const ENDING: &str = ".span.csv";
 enum NoStrength {
     #[error("no material of the sections has limits, expected [material.NAME.strength]")]
     Limits,
+    #[error("no station is at the position of a load")]
+    Positions,
     #[error("the table has no station beyond the root")]
     Length,
 }
@@ -36,6 +39,10 @@ impl Explain for NoStrength {
     fn help(&self) -> Option<String> {
         let text = match self {
             Self::Limits => "add strengths to the layup, and run \"section-analyzer blade\" again",
+            Self::Positions => {
+                "a load with one position is valid near it alone: give each instant positions at \
+                 the root and at the tip"
+            }
             Self::Length => "name the table NAME.span.csv that \"section-analyzer blade\" wrote",
         };
         Some(text.to_owned())
@@ -89,7 +96,13 @@ pub(super) fn envelope(
         terminal,
     )?;
     if rows.is_empty() && is_solved {
-        return Err(terminal.report_all(&wrong(NoStrength::Limits)));
+        let is_loaded =
+            |station: &ListedStation| loads.iter().any(|load| load.at(station.eta).is_some());
+        let problem = match stations.iter().any(is_loaded) {
+            true => NoStrength::Limits,
+            false => NoStrength::Positions,
+        };
+        return Err(terminal.report_all(&wrong(problem)));
     }
     ended.result()
 }
@@ -147,24 +160,53 @@ fn reserves(
     Ok((outcome, found.into_iter().map(row).collect()))
 }
 
-/// Damage-equivalent ranges of each component at each station; none without times.
+/// The instants of each case with times, in their order.
+fn histories(loads: &[LoadInstant]) -> Vec<Vec<(f64, &LoadInstant)>> {
+    let mut cases: BTreeMap<Option<&str>, Vec<(f64, &LoadInstant)>> = BTreeMap::new();
+    for load in loads {
+        if let Some(time) = load.time {
+            cases
+                .entry(load.case.as_deref())
+                .or_default()
+                .push((time, load));
+        }
+    }
+    let mut histories: Vec<_> = cases.into_values().collect();
+    for history in &mut histories {
+        history.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    histories
+}
+
+/// Damage-equivalent ranges of each component at each station, by the cycles of all cases together; none
+/// without times.
 fn fatigue(
     stations: &[ListedStation],
     loads: &[LoadInstant],
     arguments: &StrengthArguments,
 ) -> Vec<FatigueRow> {
-    let times: Vec<f64> = loads.iter().filter_map(|load| load.time).collect();
-    let (Some(first), Some(last)) = (times.first(), times.last()) else {
+    let histories = histories(loads);
+    if histories.is_empty() {
         return Vec::new();
+    }
+    let length = |history: &Vec<(f64, &LoadInstant)>| match (&history[..], history.last()) {
+        ([first, ..], Some(last)) => last.0 - first.0,
+        _ => 0.0,
     };
-    let equal = arguments.cycles.unwrap_or(last - first);
+    let equal = arguments
+        .cycles
+        .unwrap_or_else(|| histories.iter().map(length).sum());
     let mut rows = Vec::new();
     for station in stations {
         for (i, component) in COMPONENTS.iter().enumerate() {
-            let history = loads
-                .iter()
-                .filter_map(|load| Some(load.at(station.eta)?[i]));
-            let counted = cycles(history);
+            let of_history = |history: &Vec<(f64, &LoadInstant)>| {
+                cycles(
+                    history
+                        .iter()
+                        .filter_map(|(_, load)| Some(load.at(station.eta)?[i])),
+                )
+            };
+            let counted: Vec<_> = histories.iter().flat_map(of_history).collect();
             let largest = counted
                 .iter()
                 .fold(0.0, |most: f64, one| most.max(one.range));
@@ -173,7 +215,8 @@ fn fatigue(
                 eta: station.eta,
                 section: station.section.clone(),
                 component: format!("{component} [{unit}]"),
-                cycles: counted.iter().map(|one| one.count).sum(),
+                // a sum of nothing is -0
+                cycles: counted.iter().fold(0.0, |sum, one| sum + one.count),
                 largest,
                 exponent,
                 equivalent: equivalent_range(&counted, exponent, equal),

@@ -149,6 +149,14 @@ impl ColumnTable {
         Diagnostics::one(SourceLocation::line(&self.file, line), problem)
     }
 
+    /// Names of the columns with a unit, as they are compared, and their units.
+    pub fn units(&self) -> impl Iterator<Item = (&str, String)> {
+        self.columns.iter().filter_map(|column| {
+            let unit = column.unit.as_ref()?.replace(' ', "*");
+            Some((column.name.as_str(), unit))
+        })
+    }
+
     /// The headings, as written.
     pub fn headings(&self) -> Vec<String> {
         let written = self.columns.iter().map(|column| column.written.clone());

@@ -1,14 +1,15 @@
 //! Tables of internal forces along a blade, and the table of its stations.
 //!
-//! A table of forces comes in two forms: a row for each position and instant (columns `arc` or `eta`, and one of `case`, `time`,
-//! `step`), as `beam-dynamics static` writes it; or a row for each time, with columns `NAME_axial`
+//! A table of forces comes in two forms: a row for each position and instant, in any order (columns `arc`
+//! or `eta`, and all of `case`, `time`, `step` that distinguish the instants), as `beam-dynamics static` writes it; or a row for each time, with columns `NAME_axial`
 //! and so on for positions that the command line gives, as `beam-dynamics transient` writes it.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use nalgebra::Vector6;
-use shared_geom::error::{Diagnostics, Explain, quoted};
-use shared_geom::units::Dimension;
+use shared_geom::error::{Diagnostics, Explain, nearest_name, quoted};
+use shared_geom::units::{Dimension, parse_as};
 
 use super::column_table::{ColumnTable, Row, plain};
 
@@ -21,7 +22,7 @@ const COMPONENTS: [(&str, Dimension); 6] = [
     ("bending_y", Dimension::MOMENT),
     ("bending_z", Dimension::MOMENT),
 ];
-/// Columns that distinguish instants, with the words for reports.
+/// Columns that distinguish instants together, with the words for reports.
 const INSTANTS: [&str; 3] = ["case", "time", "step"];
 /// Distance from its only position at which a load is valid [-].
 const NEAR: f64 = 0.005;
@@ -43,19 +44,38 @@ pub enum SpanLoadProblem {
         /// The beams of the table.
         members: Vec<String>,
     },
+    /// A force or moment that is none of the components, beside absent components.
+    #[error("column \"{column}\" is no component of the internal force, expected {}", quoted(.absent))]
+    NoComponent {
+        /// The column.
+        column: String,
+        /// The components that have no column.
+        absent: Vec<String>,
+    },
 }
 
 impl Explain for SpanLoadProblem {
     fn help(&self) -> Option<String> {
-        Some("name it with --member".to_owned())
+        Some(match self {
+            Self::Members { .. } | Self::NoMember { .. } => "name it with --member".to_owned(),
+            Self::NoComponent { column, absent } => {
+                let near = nearest_name(&plain(column), absent.iter().map(String::as_str));
+                match near {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => "rename or remove it: absent components are zero".to_owned(),
+                }
+            }
+        })
     }
 }
 
 /// Internal forces along the blade at one instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadInstant {
-    /// Name for reports, as `time 1.25`.
+    /// Name for reports, as `case gust time 1.25`.
     pub name: String,
+    /// The load case, if the table has it.
+    pub case: Option<String>,
     /// Time, if the table has it \[s\].
     pub time: Option<f64>,
     /// Positions along the span [-] in order, and the internal force there about the reference
@@ -156,7 +176,28 @@ impl LoadTable {
         if found.iter().all(Option::is_none) {
             self.0.require([&*format!("{start}bending_y")])?;
         }
-        Ok(found)
+        let names = COMPONENTS.map(|(name, _)| format!("{start}{name}"));
+        let absent = names
+            .iter()
+            .zip(&found)
+            .filter(|(_, column)| column.is_none());
+        let absent: Vec<String> = absent.map(|(name, _)| name.clone()).collect();
+        let is_load = |unit: &str| {
+            [Dimension::FORCE, Dimension::MOMENT]
+                .iter()
+                .any(|dimension| parse_as(unit, *dimension).is_ok())
+        };
+        let unknown = self.0.units().find(|(name, unit)| {
+            name.starts_with(start) && !names.iter().any(|known| known == name) && is_load(unit)
+        });
+        match unknown {
+            Some((column, _)) if !absent.is_empty() => {
+                let column = column.to_owned();
+                let problem = SpanLoadProblem::NoComponent { column, absent };
+                Err(self.0.problem(1, &problem))
+            }
+            _ => Ok(found),
+        }
     }
 
     fn force(
@@ -184,34 +225,32 @@ impl LoadTable {
             (None, None) => (self.0.require(["arc_length"])?[0], 1.0 / positions.length),
         };
         let columns = self.components("")?;
-        let instant = INSTANTS
-            .iter()
-            .find_map(|name| Some((*name, self.0.index(name)?)));
+        let instants = INSTANTS.map(|name| self.0.index(name));
+        let [case, time, _] = instants;
         let mut found: Vec<LoadInstant> = Vec::new();
+        let mut numbers: HashMap<String, usize> = HashMap::new();
         for row in self.of_member(positions.member.as_deref())? {
-            let (name, time) = match instant {
-                None => ("load".to_owned(), None),
-                Some((word, column)) => {
-                    let cell = &row.cells[column];
-                    let time = match word {
-                        "time" => Some(self.0.number(row, column)?),
-                        _ => None,
-                    };
-                    (format!("{word} {cell}"), time)
-                }
+            let words = INSTANTS.iter().zip(instants);
+            let words = words.filter_map(|(word, column)| {
+                column.map(|column| format!("{word} {}", row.cells[column]))
+            });
+            let name = match words.collect::<Vec<_>>().join(" ") {
+                none if none.is_empty() => "load".to_owned(),
+                name => name,
             };
-            let point = (
+            let number = *numbers.entry(name.clone()).or_insert(found.len());
+            if number == found.len() {
+                found.push(LoadInstant {
+                    name,
+                    case: case.map(|column| row.cells[column].clone()),
+                    time: time.map(|column| self.0.number(row, column)).transpose()?,
+                    points: Vec::new(),
+                });
+            }
+            found[number].points.push((
                 scale * self.0.number(row, position)?,
                 self.force(row, &columns)?,
-            );
-            match found.last_mut().filter(|last| last.name == name) {
-                Some(last) => last.points.push(point),
-                None => found.push(LoadInstant {
-                    name,
-                    time,
-                    points: vec![point],
-                }),
-            }
+            ));
         }
         Ok(found)
     }
@@ -261,6 +300,7 @@ impl LoadTable {
             }
             found.push(LoadInstant {
                 name: format!("time {at}"),
+                case: None,
                 time: Some(at),
                 points,
             });

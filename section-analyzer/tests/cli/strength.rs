@@ -1,7 +1,7 @@
 //! `section-analyzer strength`: many loads on a blade, against single recoveries and the example
 //! of the standard of counting.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use section_analyzer::input::span_loads::{LoadPositions, read_loads};
@@ -152,6 +152,43 @@ fn histories_are_counted_by_the_standard() {
     assert!(stations.iter().all(is_extreme), "{stations:?}");
 }
 
+/// Two cases over time, with the rows by position: an instant is a case at a time, and the ranges of all
+/// cases are counted together, halves of 400 twice, of 1100 and of 1200.
+#[test]
+fn instants_are_cases_at_times_in_any_order() {
+    let workplace = solved();
+    let mut table = "case,time [s],eta,bending y [N m]\n".to_owned();
+    for eta in [0.0, 1.0] {
+        for (case, history) in [("calm", [100, -300, 100]), ("gust", [100, -1000, 200])] {
+            for (time, moment) in history.iter().enumerate() {
+                writeln!(table, "{case},{time},{eta},{moment}").unwrap();
+            }
+        }
+    }
+    let run = strength(&workplace, &table, &["--exponents", "1", "--cycles", "1"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let found = rows(&workplace, "b/a.strength.csv");
+    let stations: BTreeSet<_> = found.iter().map(|row| row["section"].clone()).collect();
+    assert_eq!(stations.len(), 3);
+    for row in &found {
+        assert_eq!(row["instant"], "case gust time 1");
+        assert_eq!(number(row, "bending_y [N m]"), -1000.0);
+    }
+    let fatigue = rows(&workplace, "b/a.fatigue.csv");
+    for row in &fatigue {
+        let is_bending = row["component"] == "bending y [N m]";
+        let expected = if is_bending {
+            ["2e0", "1.55e3"]
+        } else {
+            ["0e0", "0e0"]
+        };
+        assert_eq!(
+            ["cycles [-]", "equivalent_range"].map(|key| &*row[key]),
+            expected
+        );
+    }
+}
+
 #[test]
 fn wrong_tables_are_refused_with_their_line() {
     let workplace = solved();
@@ -186,6 +223,16 @@ fn wrong_tables_are_refused_with_their_line() {
             "arc,member,axial\n1,a,2\n",
             &["--member", "c"],
             "no rows of member \"c\"",
+        ),
+        (
+            "arc,axial [N],bending-y [N m]\n1,2,3\n",
+            &[],
+            "loads.csv:1: column \"bending-y\" is no component of the internal force",
+        ),
+        (
+            "arc,axial [N],My [kN m]\n1,2,3\n",
+            &[],
+            "loads.csv:1: column \"my\" is no component",
         ),
         ("arc,axial\n", &[], "loads.csv:1: the table has no rows"),
         ("", &[], "the table has no rows"),
