@@ -25,6 +25,7 @@ mod files;
 mod help;
 mod identify;
 mod linearize;
+mod linearize_options;
 mod performance;
 mod periodic;
 mod plot;
@@ -138,7 +139,9 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Termin
         Command::Stability { files, results } => {
             stability::stability_of_files(&files, &results, terminal)
         }
-        Command::Linearize(arguments) => linearize::linearize_files(&arguments, terminal),
+        Command::Linearize { options, results } => {
+            linearize::linearize_files(&options, &results, terminal)
+        }
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }
