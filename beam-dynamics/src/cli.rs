@@ -25,6 +25,7 @@ mod files;
 mod help;
 mod identify;
 mod linearize;
+mod linearize_options;
 mod performance;
 mod periodic;
 mod plot;
@@ -147,7 +148,9 @@ fn run_command(command: Command, terminal: &mut Terminal<'_>) -> u8 {
         Command::Stability { files, results } => {
             stability::stability_of_files(&files, &results, terminal)
         }
-        Command::Linearize(arguments) => linearize::linearize_files(&arguments, terminal),
+        Command::Linearize { options, results } => {
+            linearize::linearize_files(&options, &results, terminal)
+        }
         Command::Performance { files, results } => {
             performance::performance_of_files(&files, &results, terminal)
         }

@@ -82,7 +82,8 @@ pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
 
 /// Moves `balance` to an equilibrium with motions that nothing resists and nothing drives, as of a
 /// free shaft: the steps go on with the last sigma, each of which leaves an error of sigma over the
-/// frequency. Momenta are those of the turning model after each step, so that no part falls behind.
+/// frequency. After each step all nodes have the momenta of the turning model, so that no part falls
+/// behind.
 /// Returns the largest relative residual; `None` if the steps do not end.
 pub(super) fn settle_freely(balance: &mut Balance<'_>) -> Option<f64> {
     let speed = balance.conditions.frame.angular_velocity.norm();

@@ -10,7 +10,7 @@ use super::blade_options::BladeOptions;
 use super::compare::CompareArguments;
 use super::convert::ConvertArguments;
 use super::identify::IdentifyOptions;
-use super::linearize::LinearizeArguments;
+use super::linearize_options::LinearizeOptions;
 use super::plot::PlotOptions;
 use super::reading_options::ReadingOptions;
 
@@ -299,8 +299,8 @@ impl Command {
             | Self::Periodic { results, .. }
             | Self::Trim { results, .. }
             | Self::Stability { results, .. }
+            | Self::Linearize { results, .. }
             | Self::Transient { results, .. } => results.quiet,
-            Self::Linearize(arguments) => arguments.results.quiet,
             _ => false,
         }
     }
@@ -384,7 +384,12 @@ pub(super) enum Command {
         long_about = LINEARIZE,
         after_help = LINEARIZE_EXAMPLE
     )]
-    Linearize(LinearizeArguments),
+    Linearize {
+        #[command(flatten)]
+        options: LinearizeOptions,
+        #[command(flatten)]
+        results: Results,
+    },
     #[command(
         about = first_line(PERFORMANCE),
         long_about = PERFORMANCE,

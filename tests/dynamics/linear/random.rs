@@ -59,8 +59,9 @@ fn model(random: &mut Random, kind: &str, keys: &str) -> String {
     text
 }
 
-// 200 models: the error of both solutions is the round-off of some fifty equations, with frequencies of
-// 10 to 100 rad/s: 1e-9 is far above. Outputs are a velocity and the reactions.
+// 200 models, and the transfer functions of every fifth, so of each kind: the error of both solutions is
+// the round-off of some fifty equations, with frequencies of 10 to 100 rad/s: 1e-9 is far above. Outputs
+// are a velocity and the reactions.
 #[test]
 fn all_motions_are_those_of_all_equations() {
     let mut random = Random(7);
@@ -72,6 +73,9 @@ fn all_motions_are_those_of_all_equations() {
         let found = linear(&text, asked);
         assert_eq!(found.states.len(), 2 * (12 - constraints), "{kind}");
         let s = Complex::new(5.0 * random.next(), 60.0 * random.next());
+        if number % 5 > 0 {
+            continue;
+        }
         let off = off(&response(&found, s), &direct(&text, asked, s));
         assert!(off < 1e-9, "{kind}: {off:e}\n{text}");
     }

@@ -36,8 +36,8 @@ fn farthest(modes: &[Complex<f64>], eigenvalues: &[Complex<f64>]) -> f64 {
     modes.iter().map(nearest).fold(0.0, f64::max)
 }
 
-// Ten states of the hub and the lagging blades; the growths are those of Coleman's equations in
-// `stability.json`, and all modes are those of [modes], which have eight digits.
+// Ten states of the hub and the lagging blades; the growths are the ones of Coleman's equations in
+// `stability.json`, and all modes the ones of [modes], which have eight digits.
 #[test]
 fn ground_resonance() {
     let hub = rotor(ISOTROPIC, &EQUAL, "= 0", "0");
@@ -107,7 +107,7 @@ fn a_blade_in_the_air() {
         "{off_by:e} {found:?} {:?}",
         model.eigenvalues
     );
-    // More states than positions and momenta: those of the air.
+    // More states than positions and momenta: the ones of the air.
     let others = model
         .states
         .iter()
