@@ -203,8 +203,21 @@ fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
     let found = hub_problem(rotor, table).or_else(of_pitch);
     if let Some((key, problem)) = &found {
         table.note(key, problem);
+        return false;
     }
-    found.is_none()
+    let unwritten = unwritten(rotor);
+    if let Some((line, key)) = unwritten {
+        let problem = RotorProblem::NotWritten { key };
+        table.document().note(line, &problem);
+    }
+    unwritten.is_none()
+}
+
+/// Line and key of a drive in a pitch that must be an expression.
+fn unwritten(rotor: &Rotor) -> Option<(usize, &'static str)> {
+    let (pitch, has_plate) = (rotor.pitch.as_ref()?, rotor.plate.is_some());
+    let is_sensed = pitch.is_cyclic() && matches!(rotor.drive, Drive::Torque(_));
+    pitch.drive_in_sensed_sum(has_plate, is_sensed && !has_plate)
 }
 
 /// The first key that the hub does not have, or else its first problem, with the key.

@@ -58,15 +58,15 @@ impl Context {
         }
     }
 
-    /// Whether the value of a key is a drive or an expression without problems, and as smooth as
-    /// it must be; notes the problems.
-    pub fn accepts(&self, item: &Item<'_>, key: &KeySchema, needed: Smoothness) -> bool {
+    /// Whether the value of a key, a drive or an expression, senses a quantity; `None` if it is wrong
+    /// or not as smooth as it must be, which has been noted.
+    pub fn senses(&self, item: &Item<'_>, key: &KeySchema, needed: Smoothness) -> Option<bool> {
         let signal = drives::signal_of(item, key.dimension(), &self.catalog);
-        let is_right = signal.is_some_and(|signal| drives::is_smooth(item, &signal, needed));
-        if !is_right {
+        let signal = signal.filter(|signal| drives::is_smooth(item, signal, needed));
+        if signal.is_none() {
             self.wrong.set(true);
         }
-        is_right
+        signal.map(|signal| signal.drive().is_none())
     }
 
     /// Whether all values so far were accepted.

@@ -15,8 +15,12 @@ pub(super) type Wanted<'a> = (&'a Context, Smoothness);
 #[derive(Debug, Clone)]
 pub(super) struct Control {
     kind: Kind,
-    /// Line of the file on which it is written; zero if it is not in the file.
+    /// Its key in the file; empty if it is not in the file.
+    key: &'static str,
+    /// Its line; zero if it is not in the file.
     line: usize,
+    /// Whether it senses a quantity.
+    senses: bool,
 }
 
 /// The forms of a control.
@@ -31,8 +35,12 @@ enum Kind {
 impl Control {
     /// An expression of the program.
     fn of_program(text: String) -> Self {
-        let kind = Kind::Text(text);
-        Self { kind, line: 0 }
+        Self {
+            kind: Kind::Text(text),
+            key: "",
+            line: 0,
+            senses: false,
+        }
     }
 
     /// Its value at time zero in the declared unit, if it is known: it may use the constants.
@@ -57,9 +65,9 @@ impl Control {
         }
     }
 
-    /// Its line, if it is a drive by name or table.
-    pub fn line_of_drive(&self) -> Option<usize> {
-        matches!(self.kind, Kind::Drive(_)).then_some(self.line)
+    /// Its line and key, if it is a drive by name or table.
+    pub fn drive(&self) -> Option<(usize, &'static str)> {
+        matches!(self.kind, Kind::Drive(_)).then_some((self.line, self.key))
     }
 }
 
@@ -78,13 +86,17 @@ pub(super) fn read(
 /// The control of a value of a key. A wrong one is noted under this key and read as zero, so that
 /// the parts of the rotor exist and the other cards find them.
 fn control(item: &Item<'_>, key: &KeySchema, (context, needed): Wanted<'_>) -> Option<Control> {
-    let kind = if context.accepts(item, key, needed) {
-        kind(item, key, context)?
-    } else {
-        Kind::Text("0".to_owned())
+    let senses = context.senses(item, key, needed);
+    let kind = match senses {
+        Some(_) => kind(item, key, context)?,
+        None => Kind::Text("0".to_owned()),
     };
-    let line = item.line();
-    Some(Control { kind, line })
+    Some(Control {
+        kind,
+        key: key.name,
+        line: item.line(),
+        senses: senses.unwrap_or(false),
+    })
 }
 
 /// The form of a value of a key that is right.
@@ -229,6 +241,24 @@ impl Pitch {
     /// Whether it depends on the azimuth.
     pub fn is_cyclic(&self) -> bool {
         self.cosine.is_some() || self.sine.is_some() || !self.harmonics.is_empty()
+    }
+
+    /// Line and key of a drive by name or table in a sum that senses a quantity, or the azimuth if
+    /// it `is_sensed`: a sum of drives cannot sense. A plate tilts by sums of cosine and sine only.
+    pub fn drive_in_sensed_sum(
+        &self,
+        has_plate: bool,
+        is_sensed: bool,
+    ) -> Option<(usize, &'static str)> {
+        let mean = self.collective.iter().filter(|_| !has_plate);
+        let harmonics = self.harmonics.iter().flat_map(|(_, pair)| pair).flatten();
+        let common = mean.chain(&self.cosine).chain(&self.sine).chain(harmonics);
+        let mut blades = 0..self.individual.len().max(1);
+        blades.find_map(|k| {
+            let mut sum = common.clone().chain(self.individual.get(k));
+            let senses = is_sensed || sum.clone().any(|control| control.senses);
+            sum.find_map(|control| control.drive().filter(|_| senses))
+        })
     }
 
     /// The pitch of blade `k`, from zero, by the expression of its azimuth \[rad\]:

@@ -9,9 +9,9 @@ use shared_geom::document::{Card, Content};
 
 use super::arms::feathering;
 use super::base::{Base, lengths, signed};
-use super::controls::{Pitch, Sum};
+use super::controls::{Control, Pitch, Sum};
 use super::distributor::{Actuators, Links, Position};
-use super::keys::{COLLECTIVE, COSINE, SINE};
+use super::keys::COLLECTIVE;
 use super::problem::RotorProblem;
 use super::shaft::Drive;
 
@@ -204,15 +204,9 @@ fn texts(pitch: &Pitch, sums: &[Sum; 3]) -> Result<[String; 3], Located> {
     if let [Some(height), Some(x), Some(y)] = sums.each_ref().map(Sum::text) {
         return Ok([height, x, y]);
     }
-    let controls = [
-        (COLLECTIVE.name(), &pitch.collective),
-        (COSINE.name(), &pitch.cosine),
-        (SINE.name(), &pitch.sine),
-    ];
-    let mut drives = controls
-        .into_iter()
-        .filter_map(|(key, control)| Some((key, control.as_ref()?.line_of_drive()?)));
-    let (key, line) = drives.next().unwrap_or((COLLECTIVE.name(), sums[0].line()));
+    let controls = [&pitch.collective, &pitch.cosine, &pitch.sine].into_iter();
+    let drive = controls.flatten().find_map(Control::drive);
+    let (line, key) = drive.unwrap_or((sums[0].line(), COLLECTIVE.name()));
     Err((line, RotorProblem::NotWritten { key }))
 }
 

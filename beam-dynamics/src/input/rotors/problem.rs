@@ -169,7 +169,7 @@ pub enum RotorProblem {
         /// Remaining error of the iteration, as a height at the horn \[m\].
         off: f64,
     },
-    /// Lengths of actuators whose controls are no expressions.
+    /// A control that is no expression, for lengths of actuators, or beside sensed quantities.
     #[error("\"{key}\" is a drive by name or table, expected a number or an expression of t")]
     NotWritten {
         /// The key.
@@ -240,6 +240,10 @@ impl Explain for RotorProblem {
             }
             Self::NeedsLink { .. } => {
                 "add [rotor.pitch_link] with the control stiffness, or [rotor.swashplate.plate]"
+            }
+            Self::NotWritten { .. } => {
+                "the lengths of actuators, and a pitch with a sensed quantity or azimuth, are \
+                 expressions: write the drive as one"
             }
             Self::Speeds { .. } => "give both the same speed",
             Self::Period { .. } => {

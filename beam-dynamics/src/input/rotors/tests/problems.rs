@@ -175,26 +175,33 @@ const CONTROLS: &[(&str, &str)] = &[
     ),
     (
         "individual = [0, \"= rate*t\", 0]",
-        "\"individual\": unknown name \"rate\" at letter 2 of \"rate*t\"\n  help: known names: a, pi, r_azimuth, rat, t",
+        "\"individual\": unknown name \"rate\" at letter 2 of \"rate*t\"\n  help: known names: t, height, pi, deg",
     ),
     (
         "harmonic = [{ order = 2, cosine = \"none\" }]",
-        "unknown signal \"none\" under \"cosine\"",
+        "unknown signal \"none\" in \"cosine\"\n  help: signal: \"height\", \"a\"",
     ),
     (
         "cosine = { kind = \"ramp\", to = 1 }",
-        "\"end\" is missing in the drive under \"cosine\"",
+        "the drive under \"cosine\" has none of \"end\" and \"duration\", expected one",
     ),
     (
         "sine = \"= height\"",
-        "\"sine\" follows \"height\", whose second derivative is unknown",
+        "\"sine\" follows \"height\", whose second derivative is not known\n  help: its value, or its \
+         rate, may jump, which would be an impulse: add an [[actuator]] with this signal as its \
+         \"command\", and use the actuator's name here",
+    ),
+    (
+        "collective = \"height\"",
+        "\"height\" measures a length, expected an angle\n  help: give it another \"unit\"; a drive or \
+         an actuator without one is in the unit of each key",
     ),
 ];
 
 // Each problem once, at the line where the control is written, and nothing else.
 #[test]
 fn wrong_controls_are_reported_where_they_are_written() {
-    let keys = "torque = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
+    let keys = "speed = 300\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n";
     let cards = format!(
         "{RUN}[drives.a]\nkind = \"ramp\"\nto = 1\nend = 1\n[sensors.height]\nquantity = \"position\"\n\
          of = \"r/hub\"\ncomponent = \"z\"\n"
@@ -210,6 +217,35 @@ fn wrong_controls_are_reported_where_they_are_written() {
             refused(&text),
             format!("error: a.dynamics.toml:{line}: {expected}")
         );
+    }
+}
+
+// A sum of drives cannot sense: neither a quantity, nor the azimuth of a shaft with a torque.
+#[test]
+fn drives_beside_sensed_quantities_are_reported_by_their_key() {
+    const HINGE: &str = "[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.pitch_link]\n\
+                         stiffness = 1\n[rotor.swashplate]\n";
+    const CARDS: &str = "[drives.a]\nkind = \"ramp\"\nto = 1\nend = 1\n[sensors.height]\n\
+                         quantity = \"position\"\nof = \"r/hub\"\ncomponent = \"z\"\n";
+    for (drive, control, line) in [
+        (
+            "speed = 300",
+            "collective = \"= 2*height\"",
+            "cosine = \"a\"",
+        ),
+        ("torque = 1", "sine = 1", "collective = \"a\""),
+    ] {
+        let keys = format!("{drive}\n{HINGE}{control}\n{line}\n");
+        let text = text("articulated", &keys, &format!("{RUN}{CARDS}"));
+        let number = 1 + text.lines().position(|own| own == line).unwrap();
+        let key = line.split(' ').next().unwrap();
+        let expected = format!(
+            "error: a.dynamics.toml:{number}: \"{key}\" is a drive by name or table, expected a number \
+             or an expression of t\n  help: the lengths of actuators, and a pitch with a sensed \
+             quantity or azimuth, are expressions: write the drive as one"
+        );
+        let shown = refused(&text);
+        assert!(shown.contains(&expected), "{shown}");
     }
 }
 
