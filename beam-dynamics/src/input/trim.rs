@@ -15,12 +15,12 @@ use crate::elements::Input;
 use crate::elements::control::{Balanced, Kept};
 use crate::model::{Scalar, ScalarStart};
 
-mod idle;
+mod controls;
 mod keys;
 mod problem;
 mod targets;
 
-pub(super) use idle::{locations, problems};
+pub(super) use controls::{locations, problems};
 pub(super) use keys::TRIM;
 pub use problem::TrimProblem;
 
@@ -83,17 +83,10 @@ pub(super) fn declare(root: &Table<'_>, drives: &mut Catalog) -> Option<Declared
 
 /// Names and first guesses of the controls, without those that are wrong.
 pub(super) fn guesses(root: &Table<'_>) -> Vec<(String, f64)> {
-    let table = root.is_table("trim").then(|| root.table("trim")).flatten();
-    let cards = table
-        .filter(|table| table.is_list(CONTROL.name()))
-        .map_or_else(Vec::new, |table| table.tables(&CONTROL));
-    let named = |card: Table<'_>| {
-        let name = card
-            .is_text(NAME.name())
-            .then(|| card.text(NAME.name()))??;
-        Some((name, card.get(&GUESS)?))
-    };
-    cards.into_iter().filter_map(named).collect()
+    let cards = controls::named_cards(root).into_iter();
+    cards
+        .filter_map(|(name, card)| Some((name, card.get(&GUESS)?)))
+        .collect()
 }
 
 /// A control; expressions may read the name of a wrong one, too.

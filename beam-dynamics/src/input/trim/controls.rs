@@ -1,4 +1,4 @@
-//! Controls that no expression uses.
+//! The cards of the controls, and controls that no expression uses.
 
 use shared_geom::document::Table;
 use shared_geom::error::{Diagnostics, SourceLocation};
@@ -8,19 +8,27 @@ use super::problem::TrimProblem;
 use crate::case::Model;
 use crate::elements::Element;
 
-/// Names and locations of the controls.
-pub(in crate::input) fn locations(root: &Table<'_>) -> Vec<(String, SourceLocation)> {
+/// The cards of the controls with their names, without those that have none.
+pub(super) fn named_cards<'a>(root: &Table<'a>) -> Vec<(String, Table<'a>)> {
     let table = root.is_table("trim").then(|| root.table("trim")).flatten();
     let cards = table
         .filter(|table| table.is_list(CONTROL.name()))
         .map_or_else(Vec::new, |table| table.tables(&CONTROL));
-    let located = |card: Table<'_>| {
+    let named = |card: Table<'a>| {
         let name = card
             .is_text(NAME.name())
             .then(|| card.text(NAME.name()))??;
-        Some((name, card.document().location(card.line())))
+        Some((name, card))
     };
-    cards.into_iter().filter_map(located).collect()
+    cards.into_iter().filter_map(named).collect()
+}
+
+/// Names and locations of the controls.
+pub(in crate::input) fn locations(root: &Table<'_>) -> Vec<(String, SourceLocation)> {
+    let cards = named_cards(root).into_iter();
+    cards
+        .map(|(name, card)| (name, card.document().location(card.line())))
+        .collect()
 }
 
 /// Problems of the controls whose unknown no other element reads: nothing determines them.
