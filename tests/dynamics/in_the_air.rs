@@ -45,6 +45,64 @@ fn a_flapping_blade_decays_with_a_sixteenth_of_the_lock_number() {
     assert!(error < 1e-3, "{found} {expected}");
 }
 
+/// The same blade in hover with the twist that makes the induced velocity u uniform, 2 deg R/r: of one
+/// blade, by lift and momentum of each annulus `u^2 + k u - k Omega R theta = 0` with
+/// `k = a c Omega/(8 pi)`. In a frozen wake it decays as without inflow. With momentum and lift equal at
+/// all times an upward velocity w of the blade, with which its annulus moves, changes
+///
+/// ```text
+/// u (u + w) = k (Omega R theta - u - w)        so that      du + w = w/2 / (1 + k/(2 u))
+/// ```
+///
+/// The tolerance of 1 % covers the cosine of the coning of 3 deg, and the steps between 12 stations of
+/// the twist.
+#[test]
+fn a_flapping_blade_in_hover_decays_by_its_wake() {
+    let lock = 1.225 * std::f64::consts::TAU * 0.4 * 5f64.powi(4) / (11.0 * 5f64.powi(3) / 3.0);
+    let speed = 300.0 * std::f64::consts::TAU / 60.0;
+    let k = std::f64::consts::TAU * 0.4 * speed / (8.0 * std::f64::consts::PI);
+    let u = 0.5 * (-k + (k * k + 4.0 * k * speed * 5.0 * 2f64.to_radians()).sqrt());
+    let at = [0.4, 0.5, 0.6, 0.8, 1.0, 1.3, 1.7, 2.2, 2.8, 3.5, 4.2, 5.0];
+    let station = |at: f64| {
+        format!(
+            "{{ at = {at}, chord = 0.4, twist = {}, airfoil = \"thin\" }}",
+            10.0 / at
+        )
+    };
+    let stations = at.map(station).join(",\n");
+    for (wake, factor) in [
+        ("frozen", 1.0),
+        ("equilibrium", 0.5 / (1.0 + k / (2.0 * u))),
+    ] {
+        let (head, _) = FLAP.split_once("stations = [").unwrap();
+        let (_, tail) = FLAP.split_once("[modes]").unwrap();
+        let (head, strips) = head.split_once("[[blade]]").unwrap();
+        let strips = strips.replace("strips = 3\n", "strips = 4\ninflow = \"rotor\"\n");
+        let text = format!(
+            "{head}[[inflow]]\nname = \"rotor\"\nblades = 1\nwake = \"{wake}\"\ntip_loss = false\nhub_loss = false\n\
+             [[blade]]{strips}stations = [\n{stations}]\n[modes]{tail}"
+        );
+        let input = input::parse(&text, "flap.dynamics.toml")
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let outcome = modes(&input.model, &input.modes.unwrap());
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let point = outcome.table.at_speed(0)[0].1;
+        let (found, expected) = (-point.growth / speed, factor * lock / 16.0);
+        let error = (found / expected - 1.0).abs();
+        let case = format!("flapping blade in hover, {wake} wake");
+        let source = "strip theory and momentum of annuli";
+        record::value(
+            source,
+            &case,
+            "decay over speed [-]",
+            [found, expected],
+            error,
+            0.01,
+        );
+        assert!(error < 0.01, "{wake}: {found} {expected}");
+    }
+}
+
 /// A steady state of the rotor of the IEA 15 MW turbine: wind [m/s], pitch to feather [deg], speed
 /// [rpm], power [kW] and thrust [kN] of HAWCStab2 with elastic blades
 /// (`tests/reference/aero/iea15/steady_hawc2s.csv`).
