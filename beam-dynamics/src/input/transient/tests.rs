@@ -14,7 +14,7 @@ const BODY: &str = "units = \"SI\"\n[[node]]\nname = \"a\"\nposition = [1, 0, 0]
                     [[body]]\nnode = \"a\"\nmass = 2\ninertia = [1, 1, 1]\n";
 
 fn read(cards: &str) -> Result<Input, String> {
-    checked(cards, ("a.dynamics.toml", "a"), &[]).map_err(|problems| problems.to_string())
+    checked(cards, ("a.dynamics.toml", "a"), (&[], None)).map_err(|problems| problems.to_string())
 }
 
 fn refused(card: &str) -> String {
