@@ -89,9 +89,10 @@ fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
     result
 }
 
-/// The root of a name at the value `index`.
+/// The root at the value `index` of a name, or of a mode that begins with the name.
 fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a StabilityRoot {
-    let mode = result.modes.iter().position(|own| own == name);
+    let exact = result.modes.iter().position(|own| own == name);
+    let mode = exact.or_else(|| result.modes.iter().position(|own| own.starts_with(name)));
     let mode = mode.unwrap_or_else(|| panic!("no {name} among {:?}", result.modes));
     result.points[index].root_of(mode).unwrap()
 }
@@ -183,11 +184,7 @@ fn the_damping_by_air_ends_with_the_air() {
         "density",
         "[5e-6, 1e-5, 2e-5]",
     );
-    for name in [
-        "flap 1 collective",
-        "flap 2 collective",
-        "edge 1 collective",
-    ] {
+    for name in ["flap 1", "flap 2", "edge 1"] {
         let growth = [0, 1, 2].map(|index| root(&result, index, name).growth());
         assert!(growth[0] < 0.0 && growth[0] > -1e-4, "{name}: {growth:?}");
         for pair in growth.windows(2) {

@@ -81,7 +81,7 @@ pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
 }
 
 /// Moves `balance` to an equilibrium with motions that nothing resists and nothing drives, as of a
-/// free shaft: the steps go on with the last sigma, each of which leaves an error of sigma over the
+/// free shaft: the steps continue with the last sigma, each of which leaves an error of sigma over the
 /// frequency. After each step all nodes have the momenta of the turning model, so that no part falls
 /// behind.
 /// Returns the largest relative residual; `None` if the steps do not end.

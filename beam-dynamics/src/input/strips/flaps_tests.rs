@@ -32,14 +32,16 @@ fn wing(airfoil: &str, flaps: &str, more: &str) -> Result<Input, String> {
     read_beside(&text, &[("flapped.csv", TABLE)])
 }
 
-/// A table of two deflections: lift `3 sin a + 2 delta` at multiples of 90 deg and at 3 deg, and the
+/// A table of two deflections: lift `3 sin a + 2 delta` at -180, -30, 3 and 180 deg, and the
 /// moment -0.5 delta.
 const TABLE: &str = "\
 airfoil,flap [deg],alpha [deg],cl [-],cd [-],cm [-]
 f,-10,-180,-0.349065850398866,0.01,0.0872664625997165
+f,-10,-30,-1.849065850398866,0.01,0.0872664625997165
 f,-10,3,-0.192057981670034,0.01,0.0872664625997165
 f,-10,180,-0.349065850398866,0.01,0.0872664625997165
 f,10,-180,0.349065850398866,0.01,-0.0872664625997165
+f,10,-30,-1.150934149601134,0.01,-0.0872664625997165
 f,10,3,0.506073719127698,0.01,-0.0872664625997165
 f,10,180,0.349065850398866,0.01,-0.0872664625997165
 ";

@@ -20,7 +20,7 @@
 use super::outline::Outline;
 use super::stack::Stack;
 
-/// Part of the room for columns that the fade of the lean takes, if there is room enough.
+/// Part of the length for columns that the fade of the lean takes, if it is long enough.
 const FADE: f64 = 0.4;
 /// Largest part of the way to the next corner that the mitres of both take.
 pub(super) const MOST_OF_WAY: f64 = 1.0 / 1.1;
@@ -125,7 +125,7 @@ impl Fade {
                 break;
             }
         }
-        // without room enough the rest fades linearly
+        // if the length is too short the rest fades linearly
         let (count, rest) = (lean.len().max(2) - 1, lean[lean.len() - 1]);
         for (i, lean) in lean.iter_mut().enumerate() {
             *lean -= rest * i as f64 / count as f64;
