@@ -44,15 +44,15 @@ fn trim_of(
     let outcome = trim(&input.model.name, settings, &read);
     let mut result = outcome.result;
     result.remarks.splice(0..0, input.remarks.iter().cloned());
-    let mut code = report_failure(&result, location, terminal);
     let text = output::trim_text(&result);
     terminal.show(&text);
     let written = output::write_trim(&result, location, json);
-    code = code.max(finish(None, written, terminal));
+    let mut code = finish(None, written, terminal);
     if let Some(end) = outcome.end {
         code = code.max(write_end(end, location, terminal));
     }
-    code
+    // Last, after the text of the last motion.
+    code.max(report_failure(&result, location, terminal))
 }
 
 /// Reports the reason of a failed point.

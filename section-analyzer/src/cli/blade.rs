@@ -36,8 +36,9 @@ struct NoLine;
 
 impl Explain for NoLine {
     fn help(&self) -> Option<String> {
-        let text = "[line] with length = 60, or with span, sweep, prebend and twist; or use \
-                    \"section-analyzer mesh layup\" for one section";
+        let text = "[line] with length = 60, or with span, sweep, prebend and twist, in a layup \
+                    file, as \"section-analyzer layup FILE --out NAME.layup.toml\" writes it; or \
+                    use \"section-analyzer mesh layup\" for one section";
         Some(text.to_owned())
     }
 }
@@ -70,7 +71,10 @@ pub(super) fn solve_blade(
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let file = &arguments.file;
-    let layup = layup::read(file).map_err(|problems| terminal.report_all(&problems))?;
+    let treatment = super::layup::materials(arguments.repair_materials);
+    let layup = layup::read_with(file, treatment);
+    let layup = layup.map_err(|problems| terminal.report_all(&problems))?;
+    super::layup::write_remarks(&layup, terminal)?;
     let Some(line) = &layup.line else {
         let location = SourceLocation::file(file.display().to_string());
         return Err(terminal.report_all(&Diagnostics::one(location, &NoLine)));

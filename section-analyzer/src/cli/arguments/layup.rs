@@ -56,7 +56,7 @@ pub struct LayupArguments {
     /// Layup file, NAME.layup.toml, turbine file of windIO, or section of PreVABS (XML)
     pub file: PathBuf,
     /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
-    #[arg(long, value_name = "PARTS", value_delimiter = ',')]
+    #[arg(long, alias = "stations", value_name = "PARTS", value_delimiter = ',')]
     pub eta: Vec<f64>,
     /// Layup file to write instead; it must not exist
     #[arg(long, value_name = "FILE", conflicts_with = "eta")]

@@ -12,8 +12,8 @@ Reserve factors of all plies of a blade under many loads, and fatigue loads
 
 SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections. LOADS
 has internal forces along the blade, about its line and in section axes, names with units:
-  arc [m] or eta; case, time or step; axial [N], shear y [N], ..., bending z [N m]
-                      a row for each position and instant, as \"beam-dynamics static\" writes
+  arc [m] or eta; any of case, time, step; axial [N], shear y [N], ..., bending z [N m]
+                      a row for each position and instant, in any order, as \"beam-dynamics static\" writes
   time [s]; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position
                       of each NAME by --at NAME=ETA

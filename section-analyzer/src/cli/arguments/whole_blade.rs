@@ -12,8 +12,8 @@ use super::analyze::count;
 pub(super) const WHOLE_BLADE: &str = "\
 Solves the sections of a blade along its span, from its layup
 
-FILE is a layup with a reference line (NAME.layup.toml with [line]). Its sections are meshed
-and solved in parallel, and written into the folder DIR:
+FILE is a layup with a reference line (NAME.layup.toml with [line]), or a turbine file of
+windIO. Its sections are meshed and solved in parallel, and written into the folder DIR:
   NAME.blade.json     the blade, stations along the line: input of beam-dynamics
   NAME.span.csv       by station: mass, EA, EI, GJ, GA, centers, principal axes
   NAME.layers.csv     by station and layer: arcs, thickness, area as given and meshed
@@ -40,6 +40,7 @@ Examples:
   section-analyzer blade rotor.layup.toml --stations 0.1,0.3,0.9 --format beamdyn,hawc2
   section-analyzer blade rotor.layup.toml --count 40 --format all --svg
   section-analyzer blade rotor.layup.toml --out rotor --report
+  section-analyzer blade turbine.yaml --out turbine
   beam-dynamics modes rotor/rotor.blade.json
 
 The exit code is 2 if FILE is wrong, 1 if a section is missing or a file could not be
@@ -91,10 +92,10 @@ fn formats(text: &str) -> Result<Formats, String> {
 /// A blade, its stations, and options.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct WholeBladeArguments {
-    /// Layup file, NAME.layup.toml
+    /// Layup file, NAME.layup.toml, or turbine file of windIO
     pub file: PathBuf,
     /// Positions along the span, 0 at the root to 1 at the tip [-]
-    #[arg(long, value_name = "PARTS", value_delimiter = ',', value_parser = part, allow_negative_numbers = true)]
+    #[arg(long, alias = "eta", value_name = "PARTS", value_delimiter = ',', value_parser = part, allow_negative_numbers = true)]
     pub stations: Vec<f64>,
     /// Number of stations at equal distances
     #[arg(long, value_name = "COUNT", value_parser = stations, conflicts_with = "stations", allow_negative_numbers = true)]
@@ -111,6 +112,9 @@ pub(in crate::cli) struct WholeBladeArguments {
     /// Modes that the report lists: NAME.modes.csv of "beam-dynamics modes"
     #[arg(long, value_name = "FILE", requires = "report")]
     pub modes: Option<PathBuf>,
+    /// Reduce Poisson's ratios of windIO files that no material can have
+    #[arg(long)]
+    pub repair_materials: bool,
     /// Write the blade without the sections that failed; the exit code is still 1
     #[arg(long)]
     pub skip_failed: bool,
