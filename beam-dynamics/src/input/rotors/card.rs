@@ -66,7 +66,9 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let axes = axes(table);
     let (azimuth, count) = (table.get(&keys::AZIMUTH), table.get(&keys::BLADES));
     let shown = name.clone().unwrap_or_default();
-    let azimuth = azimuth.filter(|azimuth| is_within_turn(table, *azimuth));
+    if azimuth.is_some_and(|azimuth| !is_within_turn(table, azimuth)) {
+        context.refuse();
+    }
     let drive = drive(table, &shown, context);
     let body = body(table, &shown);
     let blade = parts::blade(table);

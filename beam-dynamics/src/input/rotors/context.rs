@@ -20,7 +20,7 @@ use crate::model::Quantity;
 #[derive(Debug)]
 pub(super) struct Context {
     catalog: Catalog,
-    /// Whether a control was wrong, which has been noted.
+    /// Whether a rotor was refused for a problem that has been noted.
     wrong: Cell<bool>,
     /// Whether nodes have given velocities at the start of a run.
     pub moves: bool,
@@ -64,9 +64,14 @@ impl Context {
         let signal = drives::signal_of(item, key.dimension(), &self.catalog);
         let signal = signal.filter(|signal| drives::is_smooth(item, signal, needed));
         if signal.is_none() {
-            self.wrong.set(true);
+            self.refuse();
         }
         signal.map(|signal| signal.drive().is_none())
+    }
+
+    /// Refuses the rotors for a problem that was noted; their cards are still read.
+    pub fn refuse(&self) {
+        self.wrong.set(true);
     }
 
     /// Whether all values so far were accepted.
