@@ -289,6 +289,21 @@ fn coordinates() -> [String; 2] {
 }
 
 #[test]
+fn layups_are_meshed_by_another_command() {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", "[line]\nlength = 3\n");
+    let run = workplace.run(&["mesh", "blade", "a.layup.toml", "--out", "a.msh"]);
+    assert_eq!(
+        (run.code, run.err.as_str()),
+        (
+            2,
+            "error: a.layup.toml: the file is a layup, expected a section of plies that are given for \
+             parts of a blade\n  help: use \"section-analyzer mesh layup\"\n"
+        )
+    );
+}
+
+#[test]
 fn airfoil_files_are_read_in_all_their_forms() {
     let [around, from_nose] = coordinates();
     let titled = run_on(&format!("NACA 0015\n{around}"));

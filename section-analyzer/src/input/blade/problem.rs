@@ -6,6 +6,9 @@ use shared_geom::error::Explain;
 /// A problem of a blade file, or of the airfoil file that it names.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BladeFileProblem {
+    /// A layup.
+    #[error("the file is a layup, expected a section of plies that are given for parts of a blade")]
+    Layup,
     /// No airfoil.
     #[error("[airfoil] has neither \"naca\" nor \"file\", expected one of them")]
     NoAirfoil,
@@ -77,6 +80,7 @@ pub enum BladeFileProblem {
 impl Explain for BladeFileProblem {
     fn help(&self) -> Option<String> {
         match self {
+            Self::Layup => Some("use \"section-analyzer mesh layup\"".into()),
             Self::NoAirfoil => Some("naca = \"0012\", or file = \"airfoil.dat\"".into()),
             Self::NameTwice { .. } => Some("give it a name of its own".into()),
             Self::NoSkin { core } => Some(format!(
