@@ -19,7 +19,7 @@ use crate::record;
 use crate::variational_beam::spectra::Random;
 
 /// Columns, each without and with the table.
-const COLUMNS: usize = 200;
+const COLUMNS: usize = 100;
 /// Round-off of dense eigenvalues, 1e-16 of the largest, relative to the change of the lowest,
 /// about 1e-9 of the largest.
 const TOLERANCE: f64 = 1e-6;

@@ -12,7 +12,7 @@ use crate::record;
 use crate::variational_beam::spectra::Random;
 
 /// Blades, each at five speeds.
-const BLADES: usize = 60;
+const BLADES: usize = 30;
 /// Compared modes.
 const COUNT: usize = 6;
 /// Rotary inertia changes a frequency by its share of the mass of the mode, 1e-8 times a share

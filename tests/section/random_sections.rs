@@ -29,7 +29,7 @@ use crate::record;
 use crate::sections::{scaled_error, section_mesh, solved};
 
 /// Number of sections for each property.
-const CASES: usize = 200;
+const CASES: usize = 100;
 
 /// Tolerance for a moved and turned section: the errors of positions at three sizes from
 /// the origin, 1e-15, as amplified in sections down to 1:10 with moduli up to 1:2000.

@@ -1,7 +1,7 @@
 //! The files of the repository, input of every rule.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::source;
 
@@ -82,7 +82,7 @@ pub struct Tree {
 impl Tree {
     /// Reads the repository.
     pub fn read() -> Self {
-        let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let mut tree = Self {
             files: Vec::new(),
             paths: Vec::new(),

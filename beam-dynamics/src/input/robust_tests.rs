@@ -7,7 +7,7 @@ use shared_geom::exchange::{Format, write};
 use super::test_files::{STRIP, read_beside};
 
 /// Number of changes of each file.
-const CHANGES: usize = 100;
+const CHANGES: usize = 50;
 
 /// Words that are not valid numbers, and words that end an input or refer to other files.
 const WORDS: [&str; 8] = [

@@ -9,7 +9,7 @@ use shared_geom::exchange::{Format, Options, parse, write};
 use crate::mutation::{Random, mutated};
 use crate::{alone, seeds, within_memory};
 
-const MUTATIONS: usize = 400;
+const MUTATIONS: usize = 200;
 
 /// Reads `bytes` as the file `name` of `folder`.
 fn read(folder: &Path, name: &str, bytes: &[u8]) -> bool {
@@ -78,7 +78,7 @@ fn seeds_are_read_and_survive_being_cut() {
     for (name, bytes) in seeds("blade_file") {
         let line_alone = name.ends_with(".line.csv");
         assert_ne!(read(folder.path(), &name, &bytes), line_alone, "{name}");
-        for end in (0..bytes.len()).step_by(7) {
+        for end in (0..bytes.len()).step_by(31) {
             let what = format!("{name} cut at byte {end}");
             // Files that are named in them are read too.
             let all: usize = seeds("blade_file").iter().map(|(_, seed)| seed.len()).sum();
