@@ -51,9 +51,10 @@ fn tree(size: usize) -> Sparse {
     for j in 0..pattern.size() {
         for at in pattern.column_starts()[j]..pattern.column_starts()[j + 1] {
             let diagonal = pattern.rows()[at] as usize == j;
-            matrix.values_mut()[at] = match diagonal && is_multiplier(j % BLOCK) {
-                true => 0.0,
-                false => scattered.next() + if diagonal { 8.0 } else { 0.0 },
+            matrix.values_mut()[at] = if diagonal && is_multiplier(j % BLOCK) {
+                0.0
+            } else {
+                scattered.next() + if diagonal { 8.0 } else { 0.0 }
             };
         }
     }

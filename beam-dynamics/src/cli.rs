@@ -96,9 +96,10 @@ pub fn run(
 ) -> u8 {
     let mut terminal = Terminal::new(out, err);
     let code = dispatch(arguments, &mut terminal);
-    match terminal.finish() {
-        true => code,
-        false => code.max(NOT_REACHED),
+    if terminal.finish() {
+        code
+    } else {
+        code.max(NOT_REACHED)
     }
 }
 
@@ -181,9 +182,10 @@ fn read(
 ) -> Option<Vec<Input>> {
     let settings = options.settings();
     let read = files::each(files, terminal, |file, terminal| {
-        let input = match input::is_blade_file(file) {
-            true => input::read_blade(file, &settings),
-            false => input::read(file),
+        let input = if input::is_blade_file(file) {
+            input::read_blade(file, &settings)
+        } else {
+            input::read(file)
         };
         input
             .map_err(|problems| terminal.report_text(&problems.to_string()))

@@ -290,9 +290,10 @@ fn checked(
     for found in mobility.mechanisms.iter().filter(|_| !may_move) {
         problems.push(location(&found.node), found);
     }
-    let massless = match is_in_time || is_free {
-        true => massless::find(&input.model.system),
-        false => Vec::new(),
+    let massless = if is_in_time || is_free {
+        massless::find(&input.model.system)
+    } else {
+        Vec::new()
     };
     for found in &massless {
         problems.push(location(&found.node), found);

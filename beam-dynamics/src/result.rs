@@ -159,9 +159,10 @@ impl Whirl {
         if !self.has_direction() {
             return (seen, None);
         }
-        let direction = match seen >= 0.0 {
-            true => Direction::Forward,
-            false => Direction::Backward,
+        let direction = if seen >= 0.0 {
+            Direction::Forward
+        } else {
+            Direction::Backward
         };
         (seen.abs(), Some(direction))
     }
@@ -169,12 +170,11 @@ impl Whirl {
     /// Frequency in the fixed system [Hz], positive if the motion runs forward around the rotor and
     /// negative if it runs backward: `sign(h) (f + h n)`.
     pub fn signed_in_fixed_system(&self, frequency: f64, speed: f64) -> f64 {
-        match self.has_direction() {
-            true => {
-                let harmonic = f64::from(self.harmonic);
-                harmonic.signum() * (frequency + harmonic * speed)
-            }
-            false => frequency,
+        if self.has_direction() {
+            let harmonic = f64::from(self.harmonic);
+            harmonic.signum() * (frequency + harmonic * speed)
+        } else {
+            frequency
         }
     }
 
@@ -216,9 +216,10 @@ pub struct ModePoint {
 impl ModePoint {
     /// Kind at this speed.
     pub fn kind(&self) -> ModeKind {
-        match self.lateral >= PURE_SHARE {
-            true => ModeKind::Lateral,
-            false => ModeKind::of(&self.shares),
+        if self.lateral >= PURE_SHARE {
+            ModeKind::Lateral
+        } else {
+            ModeKind::of(&self.shares)
         }
     }
 }
@@ -263,9 +264,10 @@ impl ModeBranch {
     /// its kind.
     pub fn name_at(&self, point: &ModePoint, words: Words) -> String {
         let kind = self.kind_at(point);
-        match kind == self.kind {
-            true => self.name.clone(),
-            false => format!("{} (now {})", self.name, kind.word_in(words)),
+        if kind == self.kind {
+            self.name.clone()
+        } else {
+            format!("{} (now {})", self.name, kind.word_in(words))
         }
     }
 

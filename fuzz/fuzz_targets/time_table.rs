@@ -7,10 +7,7 @@ use beam_dynamics::output::TimeTable;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let name = match bytes.starts_with(b"CDF") {
-        true => "a.nc",
-        false => "a.csv",
-    };
+    let name = if bytes.starts_with(b"CDF") { "a.nc" } else { "a.csv" };
     match TimeTable::parse(bytes, Path::new(name)) {
         Ok(mut table) => {
             assert!(table.columns.iter().all(|own| own.len() == table.rows()));

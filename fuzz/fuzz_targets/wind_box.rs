@@ -18,10 +18,7 @@ static FILE: LazyLock<PathBuf> = LazyLock::new(|| {
 
 fuzz_target!(|bytes: &[u8]| {
     std::fs::write(&*FILE, bytes).expect("a writable folder");
-    let read = match bytes.starts_with(&BLADED) {
-        true => read_bladed(&FILE, &BladedInput::default()),
-        false => read_bts(&FILE, None),
-    };
+    let read = if bytes.starts_with(&BLADED) { read_bladed(&FILE, &BladedInput::default()) } else { read_bts(&FILE, None) };
     match read {
         Ok(turbulence) => {
             let _ = turbulence.velocity(&[0.0, 0.0, 10.0], 0.0);

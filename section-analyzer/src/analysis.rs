@@ -158,9 +158,10 @@ impl<'a> Solved<'a> {
     fn new(section: &'a Section) -> Result<(Self, CentralSystems), Failure> {
         let domain = Domain::new(section)?;
         let pattern = Pattern::new(&domain);
-        let parts = match domain.electric.is_all_structural() {
-            true => pattern.parts(),
-            false => structural_parts(&domain),
+        let parts = if domain.electric.is_all_structural() {
+            pattern.parts()
+        } else {
+            structural_parts(&domain)
         };
         require_connected(&parts, &|node| named(section, &domain, node))?;
         let unknowns = domain.unknowns();

@@ -99,9 +99,10 @@ fn dispatch(
     };
     let mut nowhere = io::sink();
     let terminal = &mut Terminal {
-        out: match arguments.command.is_quiet() {
-            true => &mut nowhere,
-            false => &mut *terminal.out,
+        out: if arguments.command.is_quiet() {
+            &mut nowhere
+        } else {
+            &mut *terminal.out
         },
         err: &mut *terminal.err,
     };

@@ -125,9 +125,10 @@ pub fn solve(equations: &mut impl Equations, limits: &Newton) -> NewtonReport {
         let size = equations.size(&correction);
         // The rate at which corrections with a kept Jacobian decrease is unknown: corrections
         // of slender beams do not show the remaining error in their stiff directions.
-        let limit = match is_kept {
-            true => OF_KEPT * limits.correction,
-            false => limits.correction,
+        let limit = if is_kept {
+            OF_KEPT * limits.correction
+        } else {
+            limits.correction
         };
         last = size;
         history.push(Iteration {

@@ -137,9 +137,10 @@ impl StepSolver {
             self.factors = Factors::Kept(lu);
             return Some(());
         }
-        match self.is_finite() {
-            true => self.choose_pivots(),
-            false => None,
+        if self.is_finite() {
+            self.choose_pivots()
+        } else {
+            None
         }
     }
 

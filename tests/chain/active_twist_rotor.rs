@@ -132,9 +132,10 @@ fn strip_theory(pitch: f64) -> f64 {
     let (mut low, mut high) = (0.0, 0.1);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        match lift(middle) > momentum(middle) {
-            true => low = middle,
-            false => high = middle,
+        if lift(middle) > momentum(middle) {
+            low = middle
+        } else {
+            high = middle
         }
     }
     lift(low)

@@ -73,9 +73,10 @@ fn of_series(torsion: f64, gain: f64) -> f64 {
             let slopes = wave(i) * (wave(i) * x).cos() * wave(j) * (wave(j) * x).cos();
             (torsion + gain * tension) * slopes * LENGTH / CELLS as f64
         };
-        let propeller = match i == j {
-            true => SPEED.powi(2) * DENSITY * (iz - iy) * LENGTH / 2.0,
-            false => 0.0,
+        let propeller = if i == j {
+            SPEED.powi(2) * DENSITY * (iz - iy) * LENGTH / 2.0
+        } else {
+            0.0
         };
         (0..CELLS).map(at).sum::<f64>() + propeller
     });

@@ -9,10 +9,7 @@ const FACTOR: usize = 10;
 /// Number of random cases: `usual`, or ten times as many if `HELICOID_LONG_TESTS` is set, as
 /// before a release.
 pub fn cases(usual: usize) -> usize {
-    match is_long() {
-        true => FACTOR * usual,
-        false => usual,
-    }
+    if is_long() { FACTOR * usual } else { usual }
 }
 
 /// Whether the long form is requested.

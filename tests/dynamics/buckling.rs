@@ -162,9 +162,10 @@ fn a_portal_frame_sways() {
     let (mut low, mut high) = (1.0_f64, 1.5_f64);
     while high - low > 1e-14 {
         let middle = 0.5 * (low + high);
-        match middle * middle.tan() < 6.0 {
-            true => low = middle,
-            false => high = middle,
+        if middle * middle.tan() < 6.0 {
+            low = middle
+        } else {
+            high = middle
         }
     }
     // Stiff out of the plane, so that the frame buckles in its plane.

@@ -121,9 +121,10 @@ impl Rotor<'_> {
         let (mut low, mut high) = (0.0, SPEED * RADIUS);
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
-            match blades(middle) > disk * middle * middle {
-                true => low = middle,
-                false => high = middle,
+            if blades(middle) > disk * middle * middle {
+                low = middle
+            } else {
+                high = middle
             }
         }
         disk * low * low

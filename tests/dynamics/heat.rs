@@ -116,9 +116,10 @@ fn frequency(force: f64, bending: f64, mass: f64, length: f64) -> f64 {
     assert!(lack(low) * lack(high) < 0.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        match lack(low) * lack(middle) <= 0.0 {
-            true => high = middle,
-            false => low = middle,
+        if lack(low) * lack(middle) <= 0.0 {
+            high = middle
+        } else {
+            low = middle
         }
     }
     0.5 * (low + high) / (2.0 * PI)

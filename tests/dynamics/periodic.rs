@@ -51,9 +51,12 @@ fn modes(outcome: &PeriodicOutcome) -> &[FloquetMode] {
 /// All multipliers, both of a pair.
 fn multipliers(outcome: &PeriodicOutcome) -> Vec<Complex<f64>> {
     let all = modes(outcome).iter().map(|mode| mode.multiplier);
-    let both = all.flat_map(|mu| match mu.im == 0.0 {
-        true => vec![mu],
-        false => vec![mu, mu.conj()],
+    let both = all.flat_map(|mu| {
+        if mu.im == 0.0 {
+            vec![mu]
+        } else {
+            vec![mu, mu.conj()]
+        }
     });
     both.collect()
 }

@@ -381,9 +381,10 @@ fn shunts_damp_the_modes() {
         ),
     ] {
         let circuit = format!("resistance = {}\ninductance = {}", shunt[0], shunt[1]);
-        let circuit = match shunt[1] > 0.0 {
-            true => circuit,
-            false => circuit.split('\n').next().unwrap().to_owned(),
+        let circuit = if shunt[1] > 0.0 {
+            circuit
+        } else {
+            circuit.split('\n').next().unwrap().to_owned()
         };
         let found = axial_modes(24, &circuit, guesses.len());
         assert_eq!(found.len(), guesses.len());

@@ -324,9 +324,10 @@ fn check(kind: &Kind) {
         let found = errors(kind, &setting);
         let before = worst.get();
         worst.set([0, 1, 2].map(|i| before[i].max(found[i])));
-        match found.iter().all(|error| *error < HELD) {
-            true => Ok(()),
-            false => Err(TestCaseError::fail(format!("{}: {found:?}", kind.name))),
+        if found.iter().all(|error| *error < HELD) {
+            Ok(())
+        } else {
+            Err(TestCaseError::fail(format!("{}: {found:?}", kind.name)))
         }
     });
     let quantities = ["constraint", "balance of reactions", "work of reactions"];

@@ -217,12 +217,13 @@ fn observed_in_time(run: &Run, turn: &Matrix3<f64>) -> Vec<Observed> {
 /// relative to all momenta, zero for held mechanisms.
 fn errors_in_time(recipe: &Recipe, moved: &Rigid) -> [f64; 3] {
     // Held mechanisms do not fly; for masses off their nodes see below.
-    let moved = match recipe.is_held || !recipe.is_centered {
-        true => Rigid {
+    let moved = if recipe.is_held || !recipe.is_centered {
+        Rigid {
             velocity: Vector3::zeros(),
             ..*moved
-        },
-        false => *moved,
+        }
+    } else {
+        *moved
     };
     let (plain, _) = in_time(recipe, &Rigid::NONE, 0.01);
     let (other, mass) = in_time(recipe, &moved, 0.01);
@@ -302,13 +303,14 @@ fn check(name: &str, property: impl Fn(&Recipe, &Rigid) -> [f64; 3], limits: [f6
         let errors = property(&recipe, &moved);
         let before = worst.get();
         worst.set(std::array::from_fn(|i| before[i].max(errors[i])));
-        match errors
+        if errors
             .iter()
             .zip(limits)
             .all(|(error, limit)| *error < limit)
         {
-            true => Ok(()),
-            false => Err(TestCaseError::fail(format!("{name}: {errors:?}"))),
+            Ok(())
+        } else {
+            Err(TestCaseError::fail(format!("{name}: {errors:?}")))
         }
     });
     outcome.unwrap_or_else(|failure| panic!("{failure}"));

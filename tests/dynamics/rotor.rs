@@ -328,9 +328,10 @@ fn roots(function: impl Fn(f64) -> f64, to: f64) -> Vec<f64> {
         if function(a) * function(b) < 0.0 {
             for _ in 0..60 {
                 let middle = 0.5 * (a + b);
-                match function(a) * function(middle) < 0.0 {
-                    true => b = middle,
-                    false => a = middle,
+                if function(a) * function(middle) < 0.0 {
+                    b = middle
+                } else {
+                    a = middle
                 }
             }
             roots.push(0.5 * (a + b));

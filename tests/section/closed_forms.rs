@@ -641,9 +641,10 @@ fn principal_axes_of_an_off_axis_ply_are_those_of_bending_alone() {
         let axes = solved(&section).principal_bending;
         // the axis nearest to y, and the other
         let from_y = axes.angle - turn;
-        let (about_y, about_z, angle) = match from_y.cos().abs() > 0.7 {
-            true => (axes.first, axes.second, from_y),
-            false => (axes.second, axes.first, from_y - 0.5 * PI),
+        let (about_y, about_z, angle) = if from_y.cos().abs() > 0.7 {
+            (axes.first, axes.second, from_y)
+        } else {
+            (axes.second, axes.first, from_y - 0.5 * PI)
         };
         let case = format!("rectangle, fibers at 25 degrees, at ({y0}, {z0}), turned by {turn}");
         for (name, found, expected) in [

@@ -118,13 +118,14 @@ impl Recipe {
                 point[axis] += SHIFT * space * shift;
             }
         }
-        let kinds: &[CellKind] = match self.is_quadratic {
-            true => &[
+        let kinds: &[CellKind] = if self.is_quadratic {
+            &[
                 CellKind::Triangle6,
                 CellKind::Quadrilateral8,
                 CellKind::Quadrilateral9,
-            ],
-            false => &[CellKind::Triangle3, CellKind::Quadrilateral4],
+            ]
+        } else {
+            &[CellKind::Triangle3, CellKind::Quadrilateral4]
         };
         let mesh = shape.mesh(|i| kinds[self.kinds[i % self.kinds.len()] % kinds.len()]);
         let mut mesh = section_mesh(&mesh);
@@ -269,9 +270,10 @@ fn check<M: Strategy>(
     let outcome = TestRunner::new_with_rng(config, seed).run(&(recipes(), more), |(recipe, m)| {
         let error = property(&recipe.section(), m);
         worst.set(worst.get().max(error));
-        match error < limit {
-            true => Ok(()),
-            false => Err(TestCaseError::fail(format!("{name}: {error:e}"))),
+        if error < limit {
+            Ok(())
+        } else {
+            Err(TestCaseError::fail(format!("{name}: {error:e}")))
         }
     });
     let count = cases(CASES);
@@ -375,9 +377,10 @@ fn turned_cell(cell: &SectionCell, turn: usize, new_node: &[u32]) -> SectionCell
     let corners = cell.kind.corner_count();
     SectionCell::new(cell.tag, cell.kind, cell.group, |i| {
         // corners, then sides, then the middle
-        let local = match i < 2 * corners {
-            true => i / corners * corners + (i + turn) % corners,
-            false => i,
+        let local = if i < 2 * corners {
+            i / corners * corners + (i + turn) % corners
+        } else {
+            i
         };
         new_node[cell.nodes()[local] as usize]
     })

@@ -55,9 +55,12 @@ fn walls(walls: &[Wall], t: f64, cells: usize) -> Mesh {
         ends.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
         let pieces: Vec<_> = ends
             .windows(2)
-            .map(|ends| match ends[1] - ends[0] < 1.01 * t {
-                true => steps(ends[0], ends[1], 2),
-                false => graded(ends[0], ends[1], cells),
+            .map(|ends| {
+                if ends[1] - ends[0] < 1.01 * t {
+                    steps(ends[0], ends[1], 2)
+                } else {
+                    graded(ends[0], ends[1], cells)
+                }
             })
             .collect();
         joined(&pieces)

@@ -68,9 +68,12 @@ fn check(name: &str) {
         let mut compared = Vec::new();
         for (axes, is_material) in [("global", false), ("local", true)] {
             let expected = &stored["res"][format!("{axes}_{theirs}")];
-            let stress = |tensors: &Tensors| match is_material {
-                true => tensors.material_stress,
-                false => tensors.stress,
+            let stress = |tensors: &Tensors| {
+                if is_material {
+                    tensors.material_stress
+                } else {
+                    tensors.stress
+                }
             };
             for (i, position) in positions.iter().enumerate() {
                 let position = [number(&position[0]), number(&position[1])];

@@ -68,8 +68,9 @@ fn main() -> ExitCode {
     for breach in &failed {
         eprintln!("{breach}");
     }
-    match failed.is_empty() {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::FAILURE,
+    if failed.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
     }
 }

@@ -234,9 +234,10 @@ impl Arc<'_, '_> {
     fn stuck(&self, here: &Here, tried: &Tried) -> PathEnd {
         PathEnd::Stuck {
             factor: here.factor,
-            reason: match tried.singular {
-                true => "the tangent is singular",
-                false => "the path is not found however short the step",
+            reason: if tried.singular {
+                "the tangent is singular"
+            } else {
+                "the path is not found however short the step"
             },
             equation: worst_equation(self.walker.balance.system, &tried.worst),
         }

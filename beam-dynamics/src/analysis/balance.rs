@@ -184,9 +184,10 @@ pub(super) fn largest_motion<'a>(nodes: impl Iterator<Item = &'a [f64]>, size: f
     });
     // The maximum of a number and NaN is the number: NaN must be checked.
     motions.fold(0.0, |largest: f64, motion| {
-        match largest.is_nan() || motion.is_nan() {
-            true => f64::NAN,
-            false => largest.max(motion),
+        if largest.is_nan() || motion.is_nan() {
+            f64::NAN
+        } else {
+            largest.max(motion)
         }
     })
 }
@@ -239,9 +240,10 @@ impl Scales {
         let changes = &correction[first..];
         let size = |i: usize| scalars[i].abs().max((scalars[i] + changes[i]).abs());
         let changed = OF_SCALARS * self.scalars.largest(changes, size).part;
-        match changed > moved || changed.is_nan() {
-            true => changed,
-            false => moved,
+        if changed > moved || changed.is_nan() {
+            changed
+        } else {
+            moved
         }
     }
 

@@ -115,9 +115,10 @@ fn name(branches: &mut [ModeBranch], reference: usize, settings: &ModesSettings)
         let whirl = point.whirl.filter(|whirl| !is_rigid && whirl.is_pure());
         // Motion of a shaft along and about its axis has no pattern to name.
         let whirl = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
-        let kind = match is_rigid {
-            true => ModeKind::Rigid,
-            false => point.kind(),
+        let kind = if is_rigid {
+            ModeKind::Rigid
+        } else {
+            point.kind()
         };
         let key = (kind, whirl.map(|whirl| whirl.harmonic));
         let number = 1 + named.iter().filter(|other| **other == key).count();

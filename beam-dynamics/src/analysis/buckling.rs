@@ -197,9 +197,10 @@ fn run(
     let factors = problem.factors(settings.count);
     let pairs = &factors.pairs;
     if pairs.is_empty() {
-        return Err(match factors.is_complete {
-            true => BucklingFailure::NoRealFactor,
-            false => BucklingFailure::NotFound,
+        return Err(if factors.is_complete {
+            BucklingFailure::NoRealFactor
+        } else {
+            BucklingFailure::NotFound
         });
     }
     if pairs.iter().any(|pair| !pair.residual.is_finite()) {
@@ -269,9 +270,10 @@ fn beyond(
     let undeformed = || model.system.by_unknowns(&rest, &Conditions::at_rest());
     let deformed = || tangent.clone();
     let part = critical_part(solver, (&rest, undeformed), (state, deformed))?;
-    let cause = match conditions.frame.angular_velocity.norm() > 0.0 {
-        true => "rotation and constant loads",
-        false => "the constant loads",
+    let cause = if conditions.frame.angular_velocity.norm() > 0.0 {
+        "rotation and constant loads"
+    } else {
+        "the constant loads"
     };
     Some(format!(
         "the model buckles under about {part:.4} of {cause} already: the factors belong \
@@ -294,12 +296,11 @@ fn mode(pair: &Eigenpair) -> BucklingMode {
     };
     let (moved, turned) = (largest(&displacements), largest(&rotations));
     // If no node is displaced, the shape consists of rotations.
-    let by = match moved.norm() > 1e-9 * turned.norm() {
-        true => moved,
-        false => {
-            displacements.fill(Vector3::zeros());
-            turned
-        }
+    let by = if moved.norm() > 1e-9 * turned.norm() {
+        moved
+    } else {
+        displacements.fill(Vector3::zeros());
+        turned
     };
     let sign = by.iamax();
     let scale = by.norm() * by.get(sign).copied().unwrap_or(1.0).signum();

@@ -31,13 +31,17 @@ pub(super) fn remarks(
     });
     let listed: Vec<_> = listed.collect();
     let highest = listed.last().map_or(0.0, |last| last.angular_frequency);
-    let others = match is_symmetric {
-        true => None,
-        false => beyond(problem, highest, at),
+    let others = if is_symmetric {
+        None
+    } else {
+        beyond(problem, highest, at)
     };
-    let own = Growing::remark(&listed, at, "").map(|remark| match is_symmetric {
-        true => remark,
-        false => format!("{remark}; {UNSYMMETRIC}"),
+    let own = Growing::remark(&listed, at, "").map(|remark| {
+        if is_symmetric {
+            remark
+        } else {
+            format!("{remark}; {UNSYMMETRIC}")
+        }
     });
     own.into_iter().chain(others).collect()
 }

@@ -267,9 +267,10 @@ fn variables(
     let value = |port: &LinearPort| at.state.scalars.get(index(system, port)).copied();
     let state = |state: &DescriptorState| {
         let name = named(state.unknown, (augmented, settings), system);
-        let part = match state.is_part {
-            true => "part with rate of ",
-            false => "",
+        let part = if state.is_part {
+            "part with rate of "
+        } else {
+            ""
         };
         LinearVariable {
             unit: name.unit.to_string(),

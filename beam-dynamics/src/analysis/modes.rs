@@ -391,9 +391,10 @@ fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
     let magnitude = growth.hypot(angular_frequency);
     ModePoint {
         frequency: angular_frequency / TAU,
-        damping_ratio: match magnitude > 0.0 {
-            true => -growth / magnitude,
-            false => 0.0,
+        damping_ratio: if magnitude > 0.0 {
+            -growth / magnitude
+        } else {
+            0.0
         },
         growth,
         shares: [0.0; 4],

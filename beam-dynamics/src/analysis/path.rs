@@ -159,14 +159,16 @@ impl<'a> Walker<'a> {
         let mut step = self.to * self.steps.map_or(FIRST, |steps| 1.0 / steps as f64);
         let (mut iterations, mut taken) = (0, 0);
         for target in 1..=targets {
-            let goal = match target == targets {
-                true => self.to,
-                false => self.to * target as f64 / targets as f64,
+            let goal = if target == targets {
+                self.to
+            } else {
+                self.to * target as f64 / targets as f64
             };
             while here.factor != goal {
-                let next = match (goal - here.factor).abs() <= 1.001 * step.abs() {
-                    true => goal,
-                    false => here.factor + step,
+                let next = if (goal - here.factor).abs() <= 1.001 * step.abs() {
+                    goal
+                } else {
+                    here.factor + step
                 };
                 let (found, report) = self.step(&here, next);
                 iterations += report.history.len();
@@ -211,9 +213,10 @@ impl<'a> Walker<'a> {
         };
         let here = self.here(0.0, self.balance.state.clone());
         let here = here.ok_or_else(free)?;
-        match self.balance.is_free(&here.rate) {
-            true => Err(free()),
-            false => Ok(here),
+        if self.balance.is_free(&here.rate) {
+            Err(free())
+        } else {
+            Ok(here)
         }
     }
 

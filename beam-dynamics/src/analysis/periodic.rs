@@ -265,9 +265,10 @@ pub fn record(
             goes_on
         })?;
     }
-    match goes_on {
-        true => Ok(()),
-        false => Err(PeriodicFailure::Recorder),
+    if goes_on {
+        Ok(())
+    } else {
+        Err(PeriodicFailure::Recorder)
     }
 }
 

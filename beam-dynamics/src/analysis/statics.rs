@@ -153,9 +153,10 @@ fn run(
         steps: settings.steps,
         most_steps: settings.most_steps,
     };
-    let (points, end) = match settings.arc_length {
-        true => walker.by_length(),
-        false => walker.by_factor(),
+    let (points, end) = if settings.arc_length {
+        walker.by_length()
+    } else {
+        walker.by_factor()
     };
     result.remarks.extend(branching(&walker, &points));
     for point in points {

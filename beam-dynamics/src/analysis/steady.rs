@@ -53,9 +53,10 @@ pub struct NoEquilibrium {
 }
 
 fn part_of_loads(part: f64) -> String {
-    match part < 1.0 {
-        true => format!(", {:.3} of the full conditions", part),
-        false => String::new(),
+    if part < 1.0 {
+        format!(", {:.3} of the full conditions", part)
+    } else {
+        String::new()
     }
 }
 

@@ -477,9 +477,10 @@ impl Run<'_> {
             goes_on = recorder.keep(&snapshot);
         }
         self.output_time += clock() - began;
-        match goes_on {
-            true => Ok(()),
-            false => Err(TransientFailure::Recorder { time }),
+        if goes_on {
+            Ok(())
+        } else {
+            Err(TransientFailure::Recorder { time })
         }
     }
 

@@ -148,12 +148,13 @@ struct Search<'a> {
 impl Search<'_> {
     /// The point, and its model unless the file cannot be read.
     fn point(&mut self, at: Option<f64>) -> (TrimPoint, Option<TrimEnd>) {
-        let (solved, failure, outer) = match self.settings.parameters.is_empty() {
-            true => match self.solved(&[]) {
+        let (solved, failure, outer) = if self.settings.parameters.is_empty() {
+            match self.solved(&[]) {
                 Ok(solved) => (Some(solved), None, 0),
                 Err(failure) => (None, Some(failure), 0),
-            },
-            false => self.around(),
+            }
+        } else {
+            self.around()
         };
         let empty = TrimPoint {
             at,
@@ -279,9 +280,10 @@ impl Search<'_> {
         let given: Vec<_> = given.collect();
         let again = || (self.read)(&given).map_err(unread);
         let found = solve(again()?, self.from.as_ref());
-        match found.failure.is_some() && self.from.is_some() {
-            true => Ok(solve(again()?, None)),
-            false => Ok(found),
+        if found.failure.is_some() && self.from.is_some() {
+            Ok(solve(again()?, None))
+        } else {
+            Ok(found)
         }
     }
 }
@@ -320,9 +322,10 @@ fn solve(input: Input, from: Option<&State>) -> Solved {
         .as_ref()
         .is_some_and(|own| own.method == TrimMethod::Equilibrium);
     let from = from.filter(|state| fits(state, &input.model));
-    match is_static {
-        true => in_equilibrium(input, from),
-        false => in_motion(input, from),
+    if is_static {
+        in_equilibrium(input, from)
+    } else {
+        in_motion(input, from)
     }
 }
 

@@ -80,9 +80,10 @@ impl Echelon {
         for (column, row) in self.pivots.iter().rev() {
             let (mut sum, mut pivot) = (0.0, 1.0);
             for &(j, value) in row {
-                match j == *column {
-                    true => pivot = value,
-                    false => sum += value * x[j],
+                if j == *column {
+                    pivot = value
+                } else {
+                    sum += value * x[j]
                 }
             }
             x[*column] = -sum / pivot;
@@ -168,9 +169,10 @@ impl Elimination {
         let most = self.rows[row]
             .iter()
             .max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        match value >= OF_ROW * most.1.abs() {
-            true => Some((row, column)),
-            false => Some((row, most.0)),
+        if value >= OF_ROW * most.1.abs() {
+            Some((row, column))
+        } else {
+            Some((row, most.0))
         }
     }
 

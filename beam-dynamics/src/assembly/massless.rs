@@ -40,9 +40,10 @@ impl MasslessNode {
     /// The missing property.
     fn lack(&self) -> &'static str {
         let turns = |motion: &String| motion.starts_with("rotation");
-        match self.motions.iter().all(turns) {
-            true => "inertia",
-            false => "mass",
+        if self.motions.iter().all(turns) {
+            "inertia"
+        } else {
+            "mass"
         }
     }
 }
@@ -84,9 +85,10 @@ fn null(mass: &Matrix6<f64>) -> DMatrix<f64> {
 }
 
 fn columns(found: &[DVector<f64>]) -> DMatrix<f64> {
-    match found.is_empty() {
-        true => DMatrix::zeros(MOTION, 0),
-        false => DMatrix::from_columns(found),
+    if found.is_empty() {
+        DMatrix::zeros(MOTION, 0)
+    } else {
+        DMatrix::from_columns(found)
     }
 }
 

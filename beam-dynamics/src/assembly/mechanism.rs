@@ -96,9 +96,10 @@ pub fn find(system: &System) -> Mobility {
     for element in system.elements() {
         for motion in element.motions() {
             let row = row_of(system, parts_of, (element.nodes(), &motion.form));
-            match motion.is_resisted {
-                true => rows.push(row),
-                false => free.push((element.label(), row)),
+            if motion.is_resisted {
+                rows.push(row)
+            } else {
+                free.push((element.label(), row))
             }
         }
     }

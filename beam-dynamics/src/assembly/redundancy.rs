@@ -98,9 +98,10 @@ impl Redundant {
 
     /// A contradiction as text.
     pub fn contradicting(&self, off: f64) -> String {
-        let unit = match self.direction.starts_with("rotation") {
-            true => "rad/s",
-            false => "m/s",
+        let unit = if self.direction.starts_with("rotation") {
+            "rad/s"
+        } else {
+            "m/s"
         };
         let off = format!("{off:.6e}").parse().unwrap_or(off);
         format!(
@@ -117,9 +118,10 @@ fn sources(joint: &str, from: &[String]) -> String {
     let others: Vec<_> = from.iter().filter(|name| *name != joint).collect();
     let mut words: Vec<_> = others.iter().map(|name| format!("\"{name}\"")).collect();
     if others.len() < from.len() {
-        let itself = match words.is_empty() {
-            true => "its other constraints",
-            false => "its other constraints",
+        let itself = if words.is_empty() {
+            "its other constraints"
+        } else {
+            "its other constraints"
         };
         words.push(itself.to_owned());
     }
@@ -385,9 +387,10 @@ fn direction(row: &Row, element: &dyn Element) -> String {
         )
     };
     let (along, about) = (part(Variable::Position), part(Variable::Rotation));
-    match along.amax() > ZERO {
-        true => format!("along {}", in_words(&along)),
-        false => format!("rotation about {}", in_words(&about)),
+    if along.amax() > ZERO {
+        format!("along {}", in_words(&along))
+    } else {
+        format!("rotation about {}", in_words(&about))
     }
 }
 

@@ -254,9 +254,10 @@ fn prepare(arguments: &AirfoilArguments) -> Result<Tables, Stop> {
             airfoil.unsteady.clear();
         }
     }
-    match refused.is_empty() {
-        true => Ok(tables),
-        false => Err(Stop::Refusal(refused)),
+    if refused.is_empty() {
+        Ok(tables)
+    } else {
+        Err(Stop::Refusal(refused))
     }
 }
 

@@ -62,9 +62,10 @@ pub(super) fn compare_files(arguments: &CompareArguments, terminal: &mut Termina
     let names = [names[0].as_str(), names[1].as_str()];
     let tolerance = arguments.tolerance;
     terminal.show(&blade_comparison(names, &all, tolerance, note.as_deref()));
-    match all.iter().all(|one| one.relative <= tolerance) {
-        true => DONE,
-        false => NOT_REACHED,
+    if all.iter().all(|one| one.relative <= tolerance) {
+        DONE
+    } else {
+        NOT_REACHED
     }
 }
 

@@ -174,9 +174,10 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
     let problems = reading.blade.summarized_problems();
     let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
     if lost.is_empty() {
-        text.push_str(match problems.is_empty() {
-            true => "\nEverything is converted\n",
-            false => "\nEverything is converted, with the problems below\n",
+        text.push_str(if problems.is_empty() {
+            "\nEverything is converted\n"
+        } else {
+            "\nEverything is converted, with the problems below\n"
         });
     }
     list(&mut text, "Remarks", &reading.remarks);
@@ -230,9 +231,10 @@ fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
     let extension = |path: &Path| path.extension().map(|ending| ending.to_ascii_lowercase());
     let beside = files.into_iter().enumerate().map(|(number, (name, text))| {
         let fits = extension(&name) == extension(to) || Format::of_path(to).is_none();
-        match number == 0 && fits {
-            true => (to.to_owned(), text),
-            false => (folder.join(name), text),
+        if number == 0 && fits {
+            (to.to_owned(), text)
+        } else {
+            (folder.join(name), text)
         }
     });
     beside.collect()

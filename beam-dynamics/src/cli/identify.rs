@@ -126,9 +126,10 @@ fn columns(
             Err(problem) => problems.push(problem),
         }
     }
-    match problems.is_empty() {
-        true => Ok((time, columns)),
-        false => Err(problems),
+    if problems.is_empty() {
+        Ok((time, columns))
+    } else {
+        Err(problems)
     }
 }
 

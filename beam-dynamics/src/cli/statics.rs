@@ -92,9 +92,10 @@ pub(super) fn each_again<Q: Sync>(
         }
         complete = false;
         let (file, table) = (path.display().to_string(), requested.table);
-        match is_blade_file(path) {
-            true => terminal.report(&BladeAlone { file, table }),
-            false => terminal.report(&MissingTable { file, ..requested }),
+        if is_blade_file(path) {
+            terminal.report(&BladeAlone { file, table })
+        } else {
+            terminal.report(&MissingTable { file, ..requested })
         }
     }
     if !complete {

@@ -103,13 +103,14 @@ pub(super) fn transient_of_files(
 
 fn report_missing_table(path: &Path, terminal: &mut Terminal<'_>) {
     let (file, table) = (path.display().to_string(), TABLE);
-    match is_blade_file(path) {
-        true => terminal.report(&BladeAlone { file, table }),
-        false => terminal.report(&MissingTable {
+    if is_blade_file(path) {
+        terminal.report(&BladeAlone { file, table })
+    } else {
+        terminal.report(&MissingTable {
             file,
             table,
             example: "to = 1 and step = \"1 ms\"",
-        }),
+        })
     }
 }
 
@@ -202,14 +203,14 @@ fn run(
     terminal.show(&text);
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
-        let written = match watched.files.has_rows() {
-            true => format!("; all up to {} s is written", short_number(outcome.time, 9)),
-            false => String::new(),
-        };
+        let end = short_number(outcome.time, 9);
+        let written = || format!("; all up to {end} s is written");
+        let written = watched.files.has_rows().then(written);
         terminal.report_text(&format!(
-            "error: {name}: {failure}{}\n  help: {}{written}",
+            "error: {name}: {failure}{}\n  help: {}{}",
             cards_of(input, failure),
-            failure.remedy()
+            failure.remedy(),
+            written.unwrap_or_default()
         ));
         code = NOT_REACHED;
     }

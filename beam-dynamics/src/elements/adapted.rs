@@ -144,12 +144,11 @@ impl Adapted {
         let count = at.multipliers.len();
         let mut few = [0.0; FEW];
         let mut many = Vec::new();
-        let kept = match count <= FEW {
-            true => &mut few[..count],
-            false => {
-                many.resize(count, 0.0);
-                &mut many[..]
-            }
+        let kept = if count <= FEW {
+            &mut few[..count]
+        } else {
+            many.resize(count, 0.0);
+            &mut many[..]
         };
         kept.copy_from_slice(at.multipliers);
         self.removed.iter().for_each(|&i| kept[i] = 0.0);
@@ -241,12 +240,11 @@ impl Element for Adapted {
         let mut jacobian = jacobian;
         let mut own;
         // Readings of reactions need the residual.
-        let out = match out.is_ignored() && !self.readings.is_empty() {
-            true => {
-                own = LocalResidual::new(super::LocalSize::of(self));
-                &mut own
-            }
-            false => out,
+        let out = if out.is_ignored() && !self.readings.is_empty() {
+            own = LocalResidual::new(super::LocalSize::of(self));
+            &mut own
+        } else {
+            out
         };
         self.with(at, |at| {
             self.element.evaluate(at, out, jacobian.as_deref_mut())

@@ -19,30 +19,28 @@ pub(super) fn euler_angles(r: &Matrix3<f64>, [i, j, k]: [usize; 3]) -> Vector3<f
     const LOCKED: f64 = 1e-9;
     let l = 3 - i - j;
     let e = if (i + 1) % 3 == j { 1.0 } else { -1.0 };
-    let (side, middle) = match k == i {
-        true => {
-            let side = r[(j, i)].hypot(r[(l, i)]);
-            (side, side.atan2(r[(i, i)]))
-        }
-        false => {
-            let side = r[(i, i)].hypot(r[(i, j)]);
-            (side, (e * r[(i, l)]).atan2(side))
-        }
+    let (side, middle) = if k == i {
+        let side = r[(j, i)].hypot(r[(l, i)]);
+        (side, side.atan2(r[(i, i)]))
+    } else {
+        let side = r[(i, i)].hypot(r[(i, j)]);
+        (side, (e * r[(i, l)]).atan2(side))
     };
     if side < LOCKED {
         return Vector3::new((e * r[(l, j)]).atan2(r[(j, j)]), middle, 0.0);
     }
-    match k == i {
-        true => Vector3::new(
+    if k == i {
+        Vector3::new(
             r[(j, i)].atan2(-e * r[(l, i)]),
             middle,
             r[(i, j)].atan2(e * r[(i, l)]),
-        ),
-        false => Vector3::new(
+        )
+    } else {
+        Vector3::new(
             (-e * r[(j, l)]).atan2(r[(l, l)]),
             middle,
             (-e * r[(i, j)]).atan2(r[(i, i)]),
-        ),
+        )
     }
 }
 

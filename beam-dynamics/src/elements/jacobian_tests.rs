@@ -22,8 +22,7 @@ use super::loads::{
 use super::springs::{
     End, Measure, Rod, Spring, SpringLaw, SupportFrame, SupportLaw, SupportSpring,
 };
-use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Signal};
-use crate::elements::Queries;
+use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries, Signal};
 use crate::model::{
     Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
 };
@@ -232,9 +231,10 @@ fn check_factor(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditi
         conditions.loading.proportional += step;
         let at = own.seen(motion, &conditions);
         let mut out = LocalResidual::new(LocalSize::of(element));
-        match derivative {
-            true => element.by_factor(&at, &mut out),
-            false => element.residual(&at, &mut out),
+        if derivative {
+            element.by_factor(&at, &mut out)
+        } else {
+            element.residual(&at, &mut out)
         }
         nalgebra::DVector::from_column_slice(out.values())
     };

@@ -230,9 +230,10 @@ impl LocalJacobian {
             }
         }
         self.touches_rates |= rate;
-        let sums = match rate {
-            true => self.by_rates.as_mut_slice(),
-            false => self.by_unknowns.as_mut_slice(),
+        let sums = if rate {
+            self.by_rates.as_mut_slice()
+        } else {
+            self.by_unknowns.as_mut_slice()
         };
         let sums = &mut sums[first..first + 2 * n + 3];
         for j in 0..3 {
@@ -304,9 +305,10 @@ impl LocalJacobian {
         let first = n * (NODE_UNKNOWNS * column.0 + column.1.column());
         let rate = column.1.is_rate();
         self.touches_rates |= rate;
-        let sums = match rate {
-            true => self.by_rates.as_mut_slice(),
-            false => self.by_unknowns.as_mut_slice(),
+        let sums = if rate {
+            self.by_rates.as_mut_slice()
+        } else {
+            self.by_unknowns.as_mut_slice()
         };
         for j in 0..3 {
             for (i, scalar) in scalars.iter().enumerate() {
@@ -378,9 +380,10 @@ impl LocalJacobian {
             self.touched.as_mut_slice()[range.clone()].fill(true);
         }
         self.touches_rates |= rate;
-        let matrix = match rate {
-            true => &mut self.by_rates,
-            false => &mut self.by_unknowns,
+        let matrix = if rate {
+            &mut self.by_rates
+        } else {
+            &mut self.by_unknowns
         };
         let sums = matrix.as_mut_slice()[range].iter_mut();
         sums.zip(values).for_each(|(sum, value)| *sum += value);

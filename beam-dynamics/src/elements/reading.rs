@@ -192,9 +192,10 @@ impl Reading {
                 component,
             } => {
                 let section = observed.sections.get(*point)?;
-                let all = match strain {
-                    true => &section.strain,
-                    false => &section.internal_force,
+                let all = if strain {
+                    &section.strain
+                } else {
+                    &section.internal_force
                 };
                 all.iter().nth(*component).copied()
             }
@@ -244,9 +245,10 @@ impl Reading {
         };
         let mut reactions = observed.reactions.iter();
         let reaction = reactions.find(|reaction| reaction.node == *node)?;
-        let vector = match moment {
-            true => &reaction.moment,
-            false => &reaction.force,
+        let vector = if moment {
+            &reaction.moment
+        } else {
+            &reaction.force
         };
         let axes = match axes {
             Axes::Model => Matrix3::identity(),

@@ -230,9 +230,10 @@ fn of_column(table: &Table<'_>, card: &str, builder: &ModelBuilder) -> Option<Ve
     let parts = reading.parts(kind)?;
     let is_alone = parts.len() == 1;
     let port = |part: super::readings::Found| {
-        let name = match is_alone {
-            true => card.to_owned(),
-            false => format!("{card}_{}", part.word),
+        let name = if is_alone {
+            card.to_owned()
+        } else {
+            format!("{card}_{}", part.word)
         };
         let unit = si_unit(part.dimension);
         let quantity = Quantity::new(kind.0.replace('_', " "), unit.clone(), 1.0);

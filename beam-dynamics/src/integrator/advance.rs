@@ -256,9 +256,10 @@ impl Integrator {
         if known < 2 {
             return self.scheme.first_formula(known > 0);
         }
-        match ratio <= self.scheme.largest_ratio() {
-            true => self.scheme.formula(ratio),
-            false => self.scheme.first_formula(true),
+        if ratio <= self.scheme.largest_ratio() {
+            self.scheme.formula(ratio)
+        } else {
+            self.scheme.first_formula(true)
         }
     }
 
@@ -295,9 +296,10 @@ impl Integrator {
         let positions = &formula.positions[..formula.stages];
         for (rates, position) in self.rates.iter_mut().zip(positions) {
             rates.resize(past.latest_rates.len(), 0.0);
-            match has_cubic {
-                true => past.rates((1.0 + position) * ratio, self.progress.length, rates),
-                false => rates.copy_from_slice(&past.latest_rates),
+            if has_cubic {
+                past.rates((1.0 + position) * ratio, self.progress.length, rates)
+            } else {
+                rates.copy_from_slice(&past.latest_rates)
             }
             let algebraic = dae.algebraic().iter();
             let of_algebraic = rates.iter_mut().zip(algebraic).filter(|(_, is)| **is);
@@ -351,9 +353,10 @@ impl Integrator {
             progress.speeds.accept(dae, end, length);
         }
         let is_short = length < CROWDED * self.stepping.wanted();
-        progress.crowded = match corner.is_some() && is_short {
-            true => progress.crowded + 1,
-            false => 0,
+        progress.crowded = if corner.is_some() && is_short {
+            progress.crowded + 1
+        } else {
+            0
         };
         progress.corner = corner;
         progress.counters.accept(length);

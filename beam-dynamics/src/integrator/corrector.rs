@@ -184,9 +184,10 @@ impl Corrector {
             // The first iterate is never the last: if its Jacobian is due, residuals and
             // derivatives come from one evaluation.
             let is_both = self.history.len() == self.first && self.is_due(weights, limits);
-            match is_both {
-                true => self.evaluate(dae, weights, meter),
-                false => self.find_residuals(dae, meter),
+            if is_both {
+                self.evaluate(dae, weights, meter)
+            } else {
+                self.find_residuals(dae, meter)
             }
             if let Err(reason) = self.find_worst(dae) {
                 if is_both {
@@ -370,9 +371,10 @@ impl Corrector {
 
     /// The reason why the Jacobian was not factorized.
     fn why_singular(&self) -> Reason {
-        match self.solver.is_finite() {
-            true => Reason::Singular,
-            false => Reason::NotFinite,
+        if self.solver.is_finite() {
+            Reason::Singular
+        } else {
+            Reason::NotFinite
         }
     }
 
@@ -417,9 +419,10 @@ impl Corrector {
             self.move_by(stage, weights, Moves::Last);
             // `f64::max` ignores NaN: it must be checked separately.
             let is_finite = self.moved.iter().all(|moved| moved.is_finite());
-            size = match is_finite {
-                true => size.max(dae.size(stage, &self.moved)),
-                false => f64::INFINITY,
+            size = if is_finite {
+                size.max(dae.size(stage, &self.moved))
+            } else {
+                f64::INFINITY
             };
         }
         meter.end_phase(|counters| &mut counters.solution_time);
@@ -436,9 +439,10 @@ impl Corrector {
             let is_slow = self.shrinking().is_some_and(|theta| theta >= 1.0);
             return Ok(is_astray || is_slow);
         }
-        match is_astray || growths > 1 {
-            true => Err(Reason::Diverged),
-            false => Ok(false),
+        if is_astray || growths > 1 {
+            Err(Reason::Diverged)
+        } else {
+            Ok(false)
         }
     }
 

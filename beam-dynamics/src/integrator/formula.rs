@@ -58,9 +58,10 @@ impl Formula {
 
     /// The constant C of the local error, at least [`LEAST_CONSTANT`].
     pub(super) fn counted_constant(&self) -> f64 {
-        match self.error.abs() < LEAST_CONSTANT {
-            true => LEAST_CONSTANT,
-            false => self.error,
+        if self.error.abs() < LEAST_CONSTANT {
+            LEAST_CONSTANT
+        } else {
+            self.error
         }
     }
 
@@ -170,9 +171,10 @@ impl Formula {
             latest_rate: 0.0,
         };
         let off = (2.0 + 3.0 * z) / 12.0;
-        let of_order = match off.abs() < OPTIMAL {
-            true => (3, 1.0 / 72.0),
-            false => (2, off),
+        let of_order = if off.abs() < OPTIMAL {
+            (3, 1.0 / 72.0)
+        } else {
+            (2, off)
         };
         Self::two_stages(z, &shape, end, of_order)
     }

@@ -36,9 +36,10 @@ pub struct OneStep {
 impl OneStep {
     /// Steps of `dae` with three stages, or with two.
     pub fn new(dae: &dyn Dae, has_three_stages: bool, limits: StepLimits) -> Self {
-        let formula = match has_three_stages {
-            true => Formula::radau_three(),
-            false => Formula::parabolic(-2.0 / 3.0),
+        let formula = if has_three_stages {
+            Formula::radau_three()
+        } else {
+            Formula::parabolic(-2.0 / 3.0)
         };
         let pattern = dae.pattern();
         Self {
@@ -87,9 +88,10 @@ impl OneStep {
         let length = to - from;
         for stage in 0..self.formula.stages {
             let position = self.formula.positions[stage];
-            let time = match position < 0.0 {
-                true => from + (1.0 + position) * length,
-                false => last,
+            let time = if position < 0.0 {
+                from + (1.0 + position) * length
+            } else {
+                last
             };
             dae.predict(stage, time, &self.zero, &self.zero);
         }

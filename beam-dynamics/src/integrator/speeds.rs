@@ -119,9 +119,10 @@ impl Speeds {
         length: f64,
     ) -> Option<f64> {
         let order = formula.order.min(3);
-        let seen = match formula.alternates() {
-            true => Seen::Means,
-            false => Seen::Values,
+        let seen = if formula.alternates() {
+            Seen::Means
+        } else {
+            Seen::Values
         };
         let times = self.times(seen, end);
         let known = self.known(seen);

@@ -69,17 +69,19 @@ impl Name {
 /// A number of four digits, with a power of ten if it is large or small.
 fn brief(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    match rounded == 0.0 || (1e-2..1e5).contains(&rounded.abs()) {
-        true => rounded.to_string(),
-        false => format!("{rounded:e}"),
+    if rounded == 0.0 || (1e-2..1e5).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
     }
 }
 
 impl fmt::Display for Name {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.owner.is_empty() {
-            true => f.write_str(&self.what),
-            false => write!(f, "{} of {}", self.what, self.owner),
+        if self.owner.is_empty() {
+            f.write_str(&self.what)
+        } else {
+            write!(f, "{} of {}", self.what, self.owner)
         }
     }
 }

@@ -82,9 +82,10 @@ impl EigenProblem<'_> {
         let mut vector = start.clone();
         let mut value = pair.value();
         for step in 0..CORRECTIONS {
-            let shift = match step < HELD {
-                true => pair.value(),
-                false => value * (1.0 + BESIDE),
+            let shift = if step < HELD {
+                pair.value()
+            } else {
+                value * (1.0 + BESIDE)
             };
             let mut next = self.rates_times(&vector);
             self.factorized(shift)?.solve(&mut next)?;

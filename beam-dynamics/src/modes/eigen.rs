@@ -387,9 +387,10 @@ impl<'a> EigenProblem<'a> {
         }
         let apart: Vec<_> = groups.iter().flat_map(|group| beside(group)).collect();
         // Copies that differ only by round-off may be found twice.
-        match is_independent(&apart) {
-            true => apart,
-            false => together,
+        if is_independent(&apart) {
+            apart
+        } else {
+            together
         }
     }
 

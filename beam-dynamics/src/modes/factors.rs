@@ -178,9 +178,12 @@ impl Compliance {
         let n = indices.len();
         let all = Mat::from_fn(n, n, |i, j| inverse[(indices[i], j)]);
         let sign = (0..n).map(|i| all[(i, i)]).sum::<f64>().signum();
-        let scale = |i: usize| match sign * all[(i, i)] > 0.0 {
-            true => all[(i, i)].abs().sqrt(),
-            false => 0.0,
+        let scale = |i: usize| {
+            if sign * all[(i, i)] > 0.0 {
+                all[(i, i)].abs().sqrt()
+            } else {
+                0.0
+            }
         };
         let scale: Vec<_> = (0..n).map(scale).collect();
         let by = |i: usize| if scale[i] > 0.0 { 1.0 / scale[i] } else { 0.0 };

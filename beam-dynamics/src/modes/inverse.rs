@@ -124,9 +124,10 @@ impl Inverse {
     /// A rough view of the eigenvalues s nearest to the shift, of a pair the first, by
     /// magnitude, with their vectors: real and imaginary part a column each.
     pub fn coarse(&self) -> Vec<(c64, Mat<f64>)> {
-        let inverted = match self.scale.len() <= DENSE {
-            true => Eigenvectors::new(self.whole().as_ref()).firsts(),
-            false => rough(self, ROUGH_BLOCK, ROUGH_STEPS),
+        let inverted = if self.scale.len() <= DENSE {
+            Eigenvectors::new(self.whole().as_ref()).firsts()
+        } else {
+            rough(self, ROUGH_BLOCK, ROUGH_STEPS)
         };
         let sizes = inverted.iter().map(|(value, _)| value.norm());
         let largest = sizes.fold(0.0, f64::max);
@@ -321,9 +322,10 @@ fn scales(indices: &[usize], masses: &[f64]) -> Vec<f64> {
     let scale = |&index: &usize| match of_nodes.get(index / NODE_UNKNOWNS) {
         Some(own) if largest > 0.0 => {
             let root = if *own > 0.0 { own } else { &largest }.sqrt();
-            match index % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
-                true => root.recip(),
-                false => root,
+            if index % NODE_UNKNOWNS < NODE_UNKNOWNS / 2 {
+                root.recip()
+            } else {
+                root
             }
         }
         _ => 1.0,

@@ -78,9 +78,10 @@ impl ModeMotion {
         let total: f64 = self.energies(self, axes).iter().map(|e| e.re).sum();
         let central = |node: usize| f64::from(u8::from(axes[node].is_central));
         let [flap, lag, ..] = self.weighted_energies(self, axes, central);
-        match total > 0.0 {
-            true => (flap.re + lag.re) / total,
-            false => 0.0,
+        if total > 0.0 {
+            (flap.re + lag.re) / total
+        } else {
+            0.0
         }
     }
 

@@ -138,9 +138,10 @@ impl Search {
     /// Magnitude below which an eigenvalue is zero, and magnitude of the lowest other one [1/s].
     pub fn zero_and_lowest(&self) -> (f64, f64) {
         // The lowest nonzero eigenvalue is known: values far below it are zero.
-        let split = match self.rounded > 0.0 {
-            true => BESIDE * self.lowest,
-            false => 0.0,
+        let split = if self.rounded > 0.0 {
+            BESIDE * self.lowest
+        } else {
+            0.0
         };
         (self.zero.max(split), self.lowest)
     }

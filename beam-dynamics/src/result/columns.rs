@@ -175,15 +175,14 @@ impl<'a> ColumnValues<'a> {
             );
             for &index in &requested.columns {
                 let quantity = &self.columns[index].quantity;
-                let reported = match is_angle(quantity) {
-                    true => self.observed.joints.first().and_then(|joint| {
+                let reported = if is_angle(quantity) {
+                    self.observed.joints.first().and_then(|joint| {
                         let before = self.angles.get(&joint.joint);
                         before.map_or(joint.angle, |before| joint.unwrapped(*before))
-                    }),
-                    false => {
-                        let rotation = |node: usize| accepted.state.nodes[node].rotation;
-                        reading(quantity).and_then(|of| of.of(&self.observed, rotation))
-                    }
+                    })
+                } else {
+                    let rotation = |node: usize| accepted.state.nodes[node].rotation;
+                    reading(quantity).and_then(|of| of.of(&self.observed, rotation))
                 };
                 if let Some(value) = reported {
                     out[index] = value;

@@ -87,9 +87,10 @@ impl FixedPoint {
         Self {
             signed,
             direction: whirl.in_fixed_system(point.frequency, speed / TAU).1,
-            damping_ratio: match magnitude > 0.0 {
-                true => -point.growth / magnitude,
-                false => 0.0,
+            damping_ratio: if magnitude > 0.0 {
+                -point.growth / magnitude
+            } else {
+                0.0
             },
             kind,
         }
@@ -123,15 +124,17 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
     });
     let is_named = branch.harmonic.is_some() || of_branch.harmonic == 0;
     Some(FixedLine {
-        name: match is_named {
-            true => branch.name.clone(),
-            false => format!("{} {}", branch.name, of_branch.word_in(words)),
+        name: if is_named {
+            branch.name.clone()
+        } else {
+            format!("{} {}", branch.name, of_branch.word_in(words))
         },
         stem: branch.stem().to_owned(),
         kind: branch.kind,
-        harmonic: match of_branch.has_direction() {
-            true => of_branch.harmonic,
-            false => 0,
+        harmonic: if of_branch.has_direction() {
+            of_branch.harmonic
+        } else {
+            0
         },
         points: points.collect(),
     })

@@ -35,9 +35,10 @@ impl StabilityRoot {
         Self {
             exponent,
             multiplier: None,
-            kind: match exponent.im == 0.0 {
-                true => BoundaryKind::Divergence,
-                false => BoundaryKind::Flutter,
+            kind: if exponent.im == 0.0 {
+                BoundaryKind::Divergence
+            } else {
+                BoundaryKind::Flutter
             },
             doubt: 0.0,
             is_neutral: false,
@@ -87,10 +88,10 @@ impl StabilityRoot {
             return None;
         }
         let product = |q: &[Complex<f64>], p: &[Complex<f64>], conjugate: bool| {
-            let terms = q.iter().zip(p).map(|(q, p)| match conjugate {
-                true => q * p,
-                false => q.conj() * p,
-            });
+            let terms = q
+                .iter()
+                .zip(p)
+                .map(|(q, p)| if conjugate { q * p } else { q.conj() * p });
             terms.sum::<Complex<f64>>().norm()
         };
         let own = product(&a[0], &a[1], false) * product(&b[0], &b[1], false);

@@ -189,9 +189,10 @@ fn convert_refuses_to_overwrite_what_it_reads() {
         ("b.inp", "b.dat", "b_blade.dat"),
     ] {
         let run = folder.run(&["convert", from, to, "--to", "beamdyn4"]);
-        let run = match to.ends_with(".csv") {
-            true => folder.run(&["convert", from, to]),
-            false => run,
+        let run = if to.ends_with(".csv") {
+            folder.run(&["convert", from, to])
+        } else {
+            run
         };
         assert_eq!((run.code, run.out.as_str()), (2, ""));
         let expected = format!("error: \"{file}\" would be overwritten, but it is the input");

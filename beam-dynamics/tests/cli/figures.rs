@@ -17,11 +17,10 @@ fn contents(folder: &Folder, below: &str) -> BTreeMap<String, Vec<u8>> {
     for entry in fs::read_dir(folder.path(below)).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         let path = format!("{below}/{name}");
-        match folder.path(&path).is_dir() {
-            true => found.extend(contents(folder, &path)),
-            false => {
-                found.insert(path.clone(), fs::read(folder.path(&path)).unwrap());
-            }
+        if folder.path(&path).is_dir() {
+            found.extend(contents(folder, &path))
+        } else {
+            found.insert(path.clone(), fs::read(folder.path(&path)).unwrap());
         }
     }
     found

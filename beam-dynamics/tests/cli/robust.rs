@@ -166,9 +166,10 @@ fn restart_files_of_any_content_are_continued_or_refused() {
 #[test]
 fn tables_of_any_content_are_read_or_refused() {
     each("time_table", 2000, |bytes| {
-        let name = match bytes.starts_with(b"CDF") {
-            true => "a.nc",
-            false => "a.csv",
+        let name = if bytes.starts_with(b"CDF") {
+            "a.nc"
+        } else {
+            "a.csv"
         };
         match TimeTable::parse(bytes, Path::new(name)) {
             Ok(mut table) => {

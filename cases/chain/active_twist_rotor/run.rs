@@ -85,9 +85,10 @@ fn main() -> ExitCode {
 
 /// The repository: the current folder, or the one in which the runner was built.
 fn root() -> PathBuf {
-    match Path::new(CASE).is_dir() {
-        true => PathBuf::new(),
-        false => PathBuf::from(env!("CARGO_MANIFEST_DIR")),
+    if Path::new(CASE).is_dir() {
+        PathBuf::new()
+    } else {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR"))
     }
 }
 
@@ -225,9 +226,10 @@ fn show_responses(found: &[Response]) {
 
 /// The flights, each from the one before; of the short form the first condition only.
 fn flights(case: &Path, is_long: bool, model: &[(&str, f64)]) -> Result<Vec<Flight>> {
-    let slow = match is_long {
-        true => Some(trimmed(case, model, SLOW, None)?),
-        false => None,
+    let slow = if is_long {
+        Some(trimmed(case, model, SLOW, None)?)
+    } else {
+        None
     };
     if let Some(slow) = &slow {
         println!("\nForward flight, advance ratio {SLOW}");

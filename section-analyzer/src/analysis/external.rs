@@ -177,13 +177,14 @@ fn require_belonging(
         .chain(given)
         .filter(|(_, error)| is_broken(*error))
         .collect();
-    match broken.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Matrices {
+    if broken.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Matrices {
             broken,
             of_slice: section.slice.is_some(),
             limit: LIMITS.identity,
-        }),
+        })
     }
 }
 

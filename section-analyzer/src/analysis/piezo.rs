@@ -103,9 +103,10 @@ impl Voltages {
             face,
             correction,
         } = solved;
-        let face = match correction <= CORRECTED {
-            true => face,
-            false => section_forces(domain, steady(&x, &y)).face,
+        let face = if correction <= CORRECTED {
+            face
+        } else {
+            section_forces(domain, steady(&x, &y)).face
         };
         let charges_work = electric_work(domain, &central.face, &x);
         x += &forces.potential;

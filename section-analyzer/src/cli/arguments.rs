@@ -165,9 +165,10 @@ Examples:
 /// A name that a mesh file can hold.
 fn group_name(text: &str) -> Result<String, &'static str> {
     let fits = |letter: char| letter != '"' && !letter.is_control();
-    match !text.trim().is_empty() && text.chars().all(fits) {
-        true => Ok(text.to_owned()),
-        false => Err("expected letters, without quotes and line breaks"),
+    if !text.trim().is_empty() && text.chars().all(fits) {
+        Ok(text.to_owned())
+    } else {
+        Err("expected letters, without quotes and line breaks")
     }
 }
 

@@ -54,12 +54,11 @@ struct Missing {
 
 impl Explain for Missing {
     fn help(&self) -> Option<String> {
-        let text = match self.is_skipped {
-            true => "the blade file is linear between the sections that are there",
-            false => {
-                "correct the layup there, or leave these stations out with --stations; \
+        let text = if self.is_skipped {
+            "the blade file is linear between the sections that are there"
+        } else {
+            "correct the layup there, or leave these stations out with --stations; \
                  --skip-failed writes the blade file without them"
-            }
         };
         Some(text.to_owned())
     }

@@ -25,8 +25,9 @@ pub(super) fn compare_files(
     let (a, b) = ((names[0].as_str(), &a), (names[1].as_str(), &b));
     let text = comparison(a, b, &difference, tolerance);
     write!(terminal.out, "{text}")?;
-    match difference.beyond(tolerance).is_empty() && difference.unlike.is_empty() {
-        true => Ok(()),
-        false => Err(Stop::Reported(NOT_REACHED)),
+    if difference.beyond(tolerance).is_empty() && difference.unlike.is_empty() {
+        Ok(())
+    } else {
+        Err(Stop::Reported(NOT_REACHED))
     }
 }

@@ -22,9 +22,10 @@ pub(super) fn describe(
         return write(&layup, &arguments.file, out, terminal);
     }
     write_remarks(&layup, terminal)?;
-    let stations = match arguments.eta.is_empty() {
-        true => layup.positions(),
-        false => arguments.eta.clone(),
+    let stations = if arguments.eta.is_empty() {
+        layup.positions()
+    } else {
+        arguments.eta.clone()
     };
     let mut is_complete = true;
     for eta in stations {
@@ -45,9 +46,10 @@ pub(super) fn describe(
 
 /// The treatment of impossible materials.
 pub(super) fn materials(is_repaired: bool) -> Materials {
-    match is_repaired {
-        true => Materials::Repaired,
-        false => Materials::AsGiven,
+    if is_repaired {
+        Materials::Repaired
+    } else {
+        Materials::AsGiven
     }
 }
 

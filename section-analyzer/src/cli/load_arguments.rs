@@ -72,15 +72,17 @@ fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
             None => problem.to_string(),
         })?,
     };
-    match value.is_finite() {
-        true => Ok(value),
-        false => Err(format!("expected {dimension}, finite")),
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(format!("expected {dimension}, finite"))
     }
 }
 
 fn load_name(text: &str) -> Result<String, &'static str> {
-    match is_load_name(text) {
-        true => Ok(text.to_owned()),
-        false => Err("expected letters, digits, \"-\" and \"_\": it becomes part of file names"),
+    if is_load_name(text) {
+        Ok(text.to_owned())
+    } else {
+        Err("expected letters, digits, \"-\" and \"_\": it becomes part of file names")
     }
 }

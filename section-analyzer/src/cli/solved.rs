@@ -31,10 +31,9 @@ impl Solved {
         let loads = &input.distributed;
         let acting: Vec<_> = loads.iter().filter(|load| !load.is_empty()).collect();
         let mut states = analysis.distributed(&acting)?.into_iter();
-        let distributed = loads.iter().map(|load| match load.is_empty() {
-            true => None,
-            false => states.next(),
-        });
+        let distributed = loads
+            .iter()
+            .map(|load| if load.is_empty() { None } else { states.next() });
         let wanted = input.end_effects.filter(|_| ends);
         let found = wanted.map(|wanted| analysis.end_effects(wanted));
         Ok(Self {

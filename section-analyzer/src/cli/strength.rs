@@ -98,9 +98,10 @@ pub(super) fn envelope(
     if rows.is_empty() && is_solved {
         let is_loaded =
             |station: &ListedStation| loads.iter().any(|load| load.at(station.eta).is_some());
-        let problem = match stations.iter().any(is_loaded) {
-            true => NoStrength::Limits,
-            false => NoStrength::Positions,
+        let problem = if stations.iter().any(is_loaded) {
+            NoStrength::Limits
+        } else {
+            NoStrength::Positions
         };
         return Err(terminal.report_all(&wrong(problem)));
     }
@@ -149,9 +150,10 @@ fn reserves(
         position: found.position,
         force: forces[found.force],
     };
-    let status = match restored.is_known {
-        true => Status::Unchanged,
-        false => Status::Solved,
+    let status = if restored.is_known {
+        Status::Unchanged
+    } else {
+        Status::Solved
     };
     let outcome = Outcome {
         nodes: Some(section.mesh.nodes.len()),

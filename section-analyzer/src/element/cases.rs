@@ -83,9 +83,10 @@ impl<W: CaseLoop> WithSimd for Widest<W> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> W::Output {
         // machines with registers of four or more numbers have fused products, as ARM does
-        match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
-            true => self.0.run::<Fused>(),
-            false => self.0.run::<Plain>(),
+        if size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
+            self.0.run::<Fused>()
+        } else {
+            self.0.run::<Plain>()
         }
     }
 }

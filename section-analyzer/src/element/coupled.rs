@@ -78,16 +78,18 @@ pub fn add_coupled<P: Product>(
     for point in rule {
         let point = point.of_cell(nodes);
         let metric = line.metric(point.y, point.z);
-        let strain = match is_straight {
-            true => strain_in_cases::<P>(&point, &state.rate, &difference, psi),
-            false => strain_along::<P>((line, &metric), &point, state, &difference, psi),
+        let strain = if is_straight {
+            strain_in_cases::<P>(&point, &state.rate, &difference, psi)
+        } else {
+            strain_along::<P>((line, &metric), &point, state, &difference, psi)
         };
         let gradient = gradient::<P>(&point, &metric, &potentials.rate, &potential);
         let volume = point.area * metric.volume;
         let (stress, flux) = answers::<P>(law, &strain, &gradient, volume);
-        match is_straight {
-            true => forces.add_point::<P>(&point, &strain, &stress),
-            false => forces.add_turned::<P>(&point, (line, &metric), &strain, &stress),
+        if is_straight {
+            forces.add_point::<P>(&point, &strain, &stress)
+        } else {
+            forces.add_turned::<P>(&point, (line, &metric), &strain, &stress)
         }
         add_work::<P, 6, 3>(&mut forces.work, &gradient, &flux);
         charges.add::<P>(&point, &metric, &flux);

@@ -185,13 +185,12 @@ fn cell_and_value(row: &str, column: &Column) -> Result<(u64, f64), InputProblem
     let number: f64 = number
         .parse()
         .map_err(|_| wrong(format!("{value} in the second column")))?;
-    match number.abs() <= column.largest {
-        true => Ok((cell, number)),
-        false => {
-            let largest = column.largest;
-            let expected = format!("{value} of at most {largest} in the second column");
-            Err(wrong(expected))
-        }
+    if number.abs() <= column.largest {
+        Ok((cell, number))
+    } else {
+        let largest = column.largest;
+        let expected = format!("{value} of at most {largest} in the second column");
+        Err(wrong(expected))
     }
 }
 

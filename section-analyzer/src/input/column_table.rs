@@ -181,9 +181,12 @@ impl ColumnTable {
         for (found, heading) in found.iter_mut().zip(headings) {
             *found = self.index(heading).ok_or_else(|| {
                 let has_unit = heading.contains('[');
-                let known = self.columns.iter().map(|column| match has_unit {
-                    true => column.written.clone(),
-                    false => column.name.clone(),
+                let known = self.columns.iter().map(|column| {
+                    if has_unit {
+                        column.written.clone()
+                    } else {
+                        column.name.clone()
+                    }
                 });
                 let problem = ColumnProblem::NoColumn {
                     column: heading.to_owned(),

@@ -375,9 +375,10 @@ pub(super) fn groups_of(lookup: Lookup<'_>, written: &Written) -> Option<Vec<usi
         let line = written.line;
         group(lookup, &Written { text, line })
     });
-    match plies.is_empty() {
-        true => Some(vec![group(lookup, written)?]),
-        false => found.collect(),
+    if plies.is_empty() {
+        Some(vec![group(lookup, written)?])
+    } else {
+        found.collect()
     }
 }
 

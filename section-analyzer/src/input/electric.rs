@@ -224,9 +224,10 @@ impl Data<'_> {
         // All keys are read before the first wrong one ends the reading.
         let coupling = self.coupling(alone);
         let permittivity = self.permittivity();
-        let at = self.table.get(match self.table.has(&D) {
-            true => &AT_OF_D,
-            false => &AT_OF_E,
+        let at = self.table.get(if self.table.has(&D) {
+            &AT_OF_D
+        } else {
+            &AT_OF_E
         });
         let (coupling, permittivity, at) = (coupling?, permittivity?, at?);
         let key = coupling.as_ref().map(key_of);
@@ -256,9 +257,10 @@ impl Data<'_> {
     }
 
     fn permittivity_key(&self) -> &'static str {
-        match self.table.has(&PERMITTIVITY) {
-            true => PERMITTIVITY.name(),
-            false => RELATIVE.name(),
+        if self.table.has(&PERMITTIVITY) {
+            PERMITTIVITY.name()
+        } else {
+            RELATIVE.name()
         }
     }
 

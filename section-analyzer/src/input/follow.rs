@@ -92,9 +92,10 @@ impl Parabola {
             if end <= start || end > 1.0 {
                 continue;
             }
-            let candidate = match g(start) < 0.0 && g(end) > 0.0 {
-                true => self.at(rising_root(g, slope, start, end), p),
-                false => self.at(end, p),
+            let candidate = if g(start) < 0.0 && g(end) > 0.0 {
+                self.at(rising_root(g, slope, start, end), p)
+            } else {
+                self.at(end, p)
             };
             if candidate.squared_distance < nearest.squared_distance {
                 nearest = candidate;
@@ -102,9 +103,10 @@ impl Parabola {
             start = end;
         }
         let at_end = self.at(1.0, p);
-        match at_end.squared_distance < nearest.squared_distance {
-            true => at_end,
-            false => nearest,
+        if at_end.squared_distance < nearest.squared_distance {
+            at_end
+        } else {
+            nearest
         }
     }
 

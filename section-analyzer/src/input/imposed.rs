@@ -179,13 +179,11 @@ fn linear(name: &str, table: &Table<'_>) -> Option<TemperatureField> {
     let is_right = |rise: &f64| rise.abs() <= LARGEST_RISE;
     let expected = "a rise of temperature of at most 100000 K";
     let rise = table.get_if(&AT_ORIGIN, is_right, expected);
-    let gradient = match table.has(&GRADIENT) {
-        true => {
-            let is_right =
-                |slopes: &[f64; 2]| slopes.iter().all(|k| k.abs() <= LARGEST_RISE / 1e-3);
-            table.get_if(&GRADIENT, is_right, "gradients of at most 1e8 K/m")
-        }
-        false => Some([0.0; 2]),
+    let gradient = if table.has(&GRADIENT) {
+        let is_right = |slopes: &[f64; 2]| slopes.iter().all(|k| k.abs() <= LARGEST_RISE / 1e-3);
+        table.get_if(&GRADIENT, is_right, "gradients of at most 1e8 K/m")
+    } else {
+        Some([0.0; 2])
     };
     let field = TemperatureField {
         rise: rise?,
@@ -386,9 +384,10 @@ fn by_region<'a>(
     let named = strains.iter().filter_map(|region| {
         let group = region.group.as_ref()?;
         let plies = laminae::plies_of(laminae, &group.text);
-        let names = match plies.is_empty() {
-            true => vec![group.text.clone()],
-            false => plies,
+        let names = if plies.is_empty() {
+            vec![group.text.clone()]
+        } else {
+            plies
         };
         Some(
             names
@@ -422,9 +421,10 @@ fn rises(
             table: written.text.clone(),
             found: table.len(),
             expected: expected.len(),
-            users: match rows.lines.is_empty() {
-                true => "the mesh".to_owned(),
-                false => "the mesh and each line with plies".to_owned(),
+            users: if rows.lines.is_empty() {
+                "the mesh".to_owned()
+            } else {
+                "the mesh and each line with plies".to_owned()
             },
             has_lines: !rows.lines.is_empty(),
             missing: misfit.missing.into(),

@@ -214,19 +214,20 @@ fn layer(table: &Table<'_>, known: &[String], of_shell: bool) -> Option<WrittenL
     let name = table.get(&NAME);
     let material = table.get(&MATERIAL);
     let (thickness, angle) = (table.get(&THICKNESS), table.get(&FIBER_ANGLE));
-    let (from, to, taper, toward) = match of_shell {
-        true => (
+    let (from, to, taper, toward) = if of_shell {
+        (
             table.get(&FROM),
             table.get(&TO),
             table.get(&TAPER),
             table.get(&TOWARD),
-        ),
-        false => (
+        )
+    } else {
+        (
             Some(Place::arc(0.0)),
             Some(Place::arc(1.0)),
             Some(None),
             Some(0),
-        ),
+        )
     };
     if let Some(material) = material
         .as_ref()
@@ -256,9 +257,10 @@ fn web(table: &Table<'_>, known: &[String]) -> Option<WrittenWeb> {
     let name = table.get(&WEB_NAME);
     let places = [table.get(&SUCTION), table.get(&PRESSURE)];
     let plies = table.each(&PLIES, |ply| layer(ply, known, false));
-    let range = match table.has(&RANGE) {
-        true => table.quantities(RANGE.name(), Dimension::NUMBER),
-        false => Some(vec![0.0, 1.0]),
+    let range = if table.has(&RANGE) {
+        table.quantities(RANGE.name(), Dimension::NUMBER)
+    } else {
+        Some(vec![0.0, 1.0])
     };
     let name = name?.0;
     let range = match range?[..] {

@@ -297,9 +297,10 @@ fn law(name: &str, table: &Table<'_>) -> Option<ElasticLaw> {
         }
         (Some(first), None) if isotropic_ones.contains(&first) => isotropic(table),
         (Some(first), None) if orthotropic_ones.contains(&first) => {
-            match [&E3, &G13, &NU13].iter().any(|key| table.has(key)) {
-                true => orthotropic(table),
-                false => transversely_isotropic(material, table),
+            if [&E3, &G13, &NU13].iter().any(|key| table.has(key)) {
+                orthotropic(table)
+            } else {
+                transversely_isotropic(material, table)
             }
         }
         (Some(_), None) if table.is_text(&STIFFNESS) => {

@@ -175,9 +175,10 @@ impl Value for WrittenAngle {
                     .map(|(curve, reverse)| Self::Follow { curve, reverse })
             }
             (false, false) => {
-                let expected = match may_follow {
-                    true => "\"table\" or \"follow\"",
-                    false => "\"table\"",
+                let expected = if may_follow {
+                    "\"table\" or \"follow\""
+                } else {
+                    "\"table\""
                 };
                 table.note("", &InputProblem::NoAngle { key, expected });
                 None

@@ -137,12 +137,11 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
     };
     for row in &table.rows {
         modes.speeds.push(table.number_or_infinity(row, speed)?);
-        modes
-            .frequencies
-            .push(match row.cells[frequency].is_empty() {
-                true => None,
-                false => Some(table.number_or_infinity(row, frequency)?),
-            });
+        modes.frequencies.push(if row.cells[frequency].is_empty() {
+            None
+        } else {
+            Some(table.number_or_infinity(row, frequency)?)
+        });
         modes.names.push(row.cells[name].clone());
         modes.rows.push(row.cells.clone());
     }

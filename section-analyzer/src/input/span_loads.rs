@@ -149,9 +149,10 @@ pub fn read_loads(path: &Path, positions: &LoadPositions) -> Result<Vec<LoadInst
     const REMEDY: &str = "positions of tables over time are given by --at NAME=ETA, for columns \
                           NAME_axial, NAME_shear_y and so on";
     let table = LoadTable(ColumnTable::read(path, REMEDY)?);
-    let mut instants = match positions.named.is_empty() {
-        true => table.long(positions)?,
-        false => table.wide(&positions.named)?,
+    let mut instants = if positions.named.is_empty() {
+        table.long(positions)?
+    } else {
+        table.wide(&positions.named)?
     };
     for instant in &mut instants {
         instant.points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -275,12 +276,11 @@ impl LoadTable {
             .iter()
             .filter(|row| name(row) == wanted)
             .collect();
-        match rows.is_empty() {
-            true => {
-                let problem = SpanLoadProblem::NoMember { wanted, members };
-                Err(self.0.problem(1, &problem))
-            }
-            false => Ok(rows),
+        if rows.is_empty() {
+            let problem = SpanLoadProblem::NoMember { wanted, members };
+            Err(self.0.problem(1, &problem))
+        } else {
+            Ok(rows)
         }
     }
 

@@ -59,9 +59,10 @@ pub fn turned_coupling(e: &Matrix3x6<f64>, fiber_angle: f64, plane_angle: f64) -
     Matrix3x6::from_fn(|a, column| {
         let (b, c) = SECTION_ORDER[column];
         let terms = MATERIAL_ORDER.iter().enumerate().map(|(entry, &(j, k))| {
-            let turn = match j == k {
-                true => q[(b, j)] * q[(c, k)],
-                false => q[(b, j)] * q[(c, k)] + q[(b, k)] * q[(c, j)],
+            let turn = if j == k {
+                q[(b, j)] * q[(c, k)]
+            } else {
+                q[(b, j)] * q[(c, k)] + q[(b, k)] * q[(c, j)]
             };
             along_field[(a, entry)] * turn
         });

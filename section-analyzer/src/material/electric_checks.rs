@@ -179,9 +179,10 @@ impl ElectricLaw {
                 largest: given.max(),
             });
         }
-        match problems.is_empty() {
-            true => Ok(law),
-            false => Err(problems),
+        if problems.is_empty() {
+            Ok(law)
+        } else {
+            Err(problems)
         }
     }
 }

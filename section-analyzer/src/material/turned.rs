@@ -190,9 +190,10 @@ fn turned_expansion(along: [f64; 3], q: &Matrix3<f64>) -> Result<[f64; 3], AxesP
     let shear = shears
         .into_iter()
         .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
-    match shear.abs() > 1e-9 * tensor.amax() {
-        true => Err(AxesProblem::ShearedExpansion { shear }),
-        false => Ok([0, 1, 2].map(|axis| tensor[(axis, axis)])),
+    if shear.abs() > 1e-9 * tensor.amax() {
+        Err(AxesProblem::ShearedExpansion { shear })
+    } else {
+        Ok([0, 1, 2].map(|axis| tensor[(axis, axis)]))
     }
 }
 

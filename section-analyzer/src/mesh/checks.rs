@@ -40,10 +40,8 @@ pub(super) fn check_cells(
     let least = representatives(plane.nodes.len(), &coincident);
     let doubled = doubled_sides(&boundary, &least);
     // contacts can be found only if all cells are sound
-    let contacts = match problems.is_empty() {
-        true => contacts(plane, &boundary, &least, &doubled, groups),
-        false => Contacts::default(),
-    };
+    let found = || contacts(plane, &boundary, &least, &doubled, groups);
+    let contacts = problems.is_empty().then(found).unwrap_or_default();
 
     let part_of_cell = part_of_each_cell(plane.cells.len(), &neighbors);
     let slits = Slits {
@@ -76,16 +74,17 @@ pub(super) fn check_cells(
     let (hanging, wrong) = slits.of_hanging(contacts.hanging, &contacts.hangs_on);
     problems.extend(wrong);
     problems.extend(connected.err());
-    match problems.is_empty() {
-        true => Ok(CheckedCells {
+    if problems.is_empty() {
+        Ok(CheckedCells {
             reversed,
             coincident,
             seams,
             hanging,
             gaps: contacts.gaps,
             pinches: boundary.pinches(plane.nodes.len()),
-        }),
-        false => Err(problems),
+        })
+    } else {
+        Err(problems)
     }
 }
 

@@ -143,9 +143,10 @@ fn side_between(
         let Some(side) = sides.get(&[a.min(b), a.max(b)]) else {
             continue;
         };
-        let [along, against] = match a < b {
-            true => side.cells,
-            false => [side.cells[1], side.cells[0]],
+        let [along, against] = if a < b {
+            side.cells
+        } else {
+            [side.cells[1], side.cells[0]]
         };
         let bank = match (along > 0, against > 0) {
             (true, false) => Bank::Left,

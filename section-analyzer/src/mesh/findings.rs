@@ -35,9 +35,10 @@ pub struct CellOverlap {
 impl fmt::Display for CellOverlap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [one, other] = &self.groups;
-        match one == other {
-            true => write!(f, "cells of \"{one}\" overlap")?,
-            false => write!(f, "cells of \"{one}\" overlap cells of \"{other}\"")?,
+        if one == other {
+            write!(f, "cells of \"{one}\" overlap")?
+        } else {
+            write!(f, "cells of \"{one}\" overlap cells of \"{other}\"")?
         }
         let pairs = self.cells.iter().zip(&self.positions).take(LISTED);
         for (i, ([a, b], at)) in pairs.enumerate() {

@@ -443,12 +443,13 @@ fn join(lead: &str, allowed: bool) -> String {
          (built-in geometry) or BooleanFragments (OpenCASCADE) before meshing, with a larger \
          Geometry.Tolerance if points nearly meet"
     );
-    match allowed {
-        true => format!("{remedy}; doubled_nodes = \"allow\" does not join parts"),
-        false => format!(
+    if allowed {
+        format!("{remedy}; doubled_nodes = \"allow\" does not join parts")
+    } else {
+        format!(
             "{remedy}; or, if a slit is intended, write doubled_nodes = \"allow\" at the head of \
              the section file"
-        ),
+        )
     }
 }
 

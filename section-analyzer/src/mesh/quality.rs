@@ -105,9 +105,10 @@ impl ShapeMeasure {
     /// Grade of a value.
     pub fn grade(self, value: f64) -> Grade {
         let [poor, good] = self.limits();
-        let (beyond, within) = match self.is_better_large() {
-            true => (value < poor, value >= good),
-            false => (value > poor, value <= good),
+        let (beyond, within) = if self.is_better_large() {
+            (value < poor, value >= good)
+        } else {
+            (value > poor, value <= good)
         };
         match (beyond, within) {
             (true, _) => Grade::Poor,
@@ -303,9 +304,12 @@ impl MeshQuality {
 
 impl RegionQuality {
     fn empty(group: &str) -> Self {
-        let start = ShapeMeasure::ALL.map(|measure| match measure.is_better_large() {
-            true => f64::INFINITY,
-            false => 0.0,
+        let start = ShapeMeasure::ALL.map(|measure| {
+            if measure.is_better_large() {
+                f64::INFINITY
+            } else {
+                0.0
+            }
         });
         Self {
             group: group.to_owned(),

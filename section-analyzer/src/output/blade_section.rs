@@ -53,8 +53,9 @@ fn write_section(text: &mut String, blade: &BladeInput, mesh: &str) -> std::fmt:
 /// A key of TOML, in quotes where it needs them.
 fn key(name: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
-    match name.chars().all(is_plain) {
-        true => name.to_owned(),
-        false => format!("{name:?}"),
+    if name.chars().all(is_plain) {
+        name.to_owned()
+    } else {
+        format!("{name:?}")
     }
 }

@@ -79,9 +79,10 @@ impl Pattern {
                 }
                 number.insert((i, j), shapes.len());
                 let (a, b) = (i as f64 * step, j as f64 * step);
-                shapes.push(match is_triangle {
-                    true => kind.shape(a, b).n,
-                    false => kind.shape(2.0 * a - 1.0, 2.0 * b - 1.0).n,
+                shapes.push(if is_triangle {
+                    kind.shape(a, b).n
+                } else {
+                    kind.shape(2.0 * a - 1.0, 2.0 * b - 1.0).n
                 });
             }
         }

@@ -27,12 +27,13 @@ pub fn comparison(a: Named<'_>, b: Named<'_>, difference: &Difference, tolerance
         !shown.contains(&entry.part)
     };
     let length = difference.length;
-    let mass = match a.1.mass[(0, 0)] == 0.0 && b.1.mass[(0, 0)] == 0.0 {
-        true => "Mass per length\n  neither section has mass\n".to_owned(),
-        false => format!(
+    let mass = if a.1.mass[(0, 0)] == 0.0 && b.1.mass[(0, 0)] == 0.0 {
+        "Mass per length\n  neither section has mass\n".to_owned()
+    } else {
+        format!(
             "Mass per length, (B - A)ij / sqrt(Aii Ajj)\n{}",
             relative_matrix(&difference.mass)
-        ),
+        )
     };
     let parts = [
         head(a, b, difference),
@@ -74,13 +75,14 @@ fn head(a: Named<'_>, b: Named<'_>, difference: &Difference) -> String {
                 .map(|value| coordinate(value, difference.length))
                 .join(", ")
         };
-        text += &match a.1.reference_point == b.1.reference_point {
-            true => format!("  point     ({}) m for both\n", point(a)),
-            false => format!(
+        text += &if a.1.reference_point == b.1.reference_point {
+            format!("  point     ({}) m for both\n", point(a))
+        } else {
+            format!(
                 "  point     ({}) m for A, ({}) m for B: as given\n",
                 point(a),
                 point(b)
-            ),
+            )
         };
     }
     for (number, change) in difference.brought.iter().enumerate() {
@@ -107,9 +109,10 @@ fn relative_matrix(a: &Matrix6<f64>) -> String {
 
 /// A relative difference to two digits, with its sign.
 fn relative(value: f64) -> String {
-    match value == 0.0 {
-        true => "0".to_owned(),
-        false => format!("{value:+.1e}"),
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:+.1e}")
     }
 }
 
@@ -147,25 +150,28 @@ fn row(entry: &Entry, scale: f64) -> Vec<String> {
 /// difference.
 fn beside(value: f64, entry: &Entry) -> f64 {
     let weight = ((entry.b - entry.a) / entry.relative).abs();
-    match value.abs() <= ZERO * weight {
-        true => 0.0,
-        false => value,
+    if value.abs() <= ZERO * weight {
+        0.0
+    } else {
+        value
     }
 }
 
 fn optional(table: String) -> String {
-    match table.is_empty() {
-        true => table,
-        false => format!("Curvature, electrodes, temperature, prestress, damping\n{table}"),
+    if table.is_empty() {
+        table
+    } else {
+        format!("Curvature, electrodes, temperature, prestress, damping\n{table}")
     }
 }
 
 /// The verdict: the differences beyond the tolerance, largest first, or equality.
 fn verdict(difference: &Difference, tolerance: f64) -> String {
     let beyond = difference.beyond(tolerance);
-    let tolerance = match tolerance == 0.0 {
-        true => "0".to_owned(),
-        false => format!("{tolerance:e}"),
+    let tolerance = if tolerance == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{tolerance:e}")
     };
     let mut text = String::new();
     if !difference.unlike.is_empty() {
@@ -177,9 +183,10 @@ fn verdict(difference: &Difference, tolerance: f64) -> String {
     }
     let (count, all) = (beyond.len(), difference.entries.len());
     if count == 0 {
-        let words = match difference.unlike.is_empty() {
-            true => "Equal within",
-            false => "The numbers of both are equal within",
+        let words = if difference.unlike.is_empty() {
+            "Equal within"
+        } else {
+            "The numbers of both are equal within"
         };
         let largest = relative(difference.largest()).replace('+', "");
         return text

@@ -109,12 +109,11 @@ impl<'a> FiberPlot<'a> {
     }
 
     fn color(&self, cell: usize) -> Color {
-        match has_directions(self.section, cell) {
-            true => {
-                let angle = line_angle(self.section.cells[cell].fiber_angle);
-                diverging(angle / self.scale)
-            }
-            false => WHITE,
+        if has_directions(self.section, cell) {
+            let angle = line_angle(self.section.cells[cell].fiber_angle);
+            diverging(angle / self.scale)
+        } else {
+            WHITE
         }
     }
 
@@ -204,9 +203,10 @@ impl Figure for FiberPlot<'_> {
             "flags in {} of {} cells{}",
             self.flags.len(),
             self.section.cells.len(),
-            match self.wall < THINNEST {
-                true => "; walls are drawn wider than in reality",
-                false => "",
+            if self.wall < THINNEST {
+                "; walls are drawn wider than in reality"
+            } else {
+                ""
             }
         );
         drawing.text(&line, [LEFT, 105.0], Label::new(SMALL).colored(INK));

@@ -117,9 +117,10 @@ impl<'a> FieldPlot<'a> {
 
     /// Height of the first line of the legend \[figure pixels\].
     fn legend(&self) -> f64 {
-        match self.scale.is_zero() {
-            true => self.bottom() + BELOW,
-            false => self.bottom() + BELOW + BAR + 0.5 * LINE,
+        if self.scale.is_zero() {
+            self.bottom() + BELOW
+        } else {
+            self.bottom() + BELOW + BAR + 0.5 * LINE
         }
     }
 
@@ -130,9 +131,10 @@ impl<'a> FieldPlot<'a> {
 
     /// Distance by which the boundary of the section is drawn outside of its position.
     fn swelling(&self) -> f64 {
-        match self.wall < QUARTER * THINNEST {
-            true => 0.5 * (THINNEST - self.wall),
-            false => 0.0,
+        if self.wall < QUARTER * THINNEST {
+            0.5 * (THINNEST - self.wall)
+        } else {
+            0.0
         }
     }
 

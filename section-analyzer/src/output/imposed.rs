@@ -13,9 +13,10 @@ pub fn imposed_report(properties: &SectionProperties) -> String {
     let length = radius_of_gyration(properties);
     let thermal = thermal(properties.thermal_force.as_ref(), length);
     let states = states(&properties.imposed, length);
-    match thermal.is_empty() || states.is_empty() {
-        true => thermal + &states,
-        false => format!("{thermal}\n{states}"),
+    if thermal.is_empty() || states.is_empty() {
+        thermal + &states
+    } else {
+        format!("{thermal}\n{states}")
     }
 }
 

@@ -58,13 +58,14 @@ fn write_section(
     let mut region = |group: &str, material: &str, angle: f64, follow: &str| {
         // turned into degrees and back, an angle has round-off in its last digit
         let angle = (angle.to_degrees() * 1e9).round() / 1e9;
-        match is_there(group) {
-            true => writeln!(
+        if is_there(group) {
+            writeln!(
                 text,
                 "\n[[region]]\ngroup = {group:?}\nmaterial = {material:?}\n\
                  fiber_angle = \"{angle} deg\"\nplane_angle = {{ follow = {follow:?} }}"
-            ),
-            false => Ok(()),
+            )
+        } else {
+            Ok(())
         }
     };
     for layer in &meshed.section.layers {

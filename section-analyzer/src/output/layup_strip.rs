@@ -58,9 +58,12 @@ impl LayupStrip {
         let cuts = boundary.iter().step_by(step);
         let walls = cuts.filter_map(|&side| cut(section, &outline.sides, &of_cells, side));
         // the first of several with the same number
-        let wall = walls.reduce(|best, wall| match wall.plies.len() > best.plies.len() {
-            true => wall,
-            false => best,
+        let wall = walls.reduce(|best, wall| {
+            if wall.plies.len() > best.plies.len() {
+                wall
+            } else {
+                best
+            }
         })?;
         let thinnest = wall.plies.iter().map(|ply| ply.thickness);
         let thinnest = thinnest.fold(f64::INFINITY, f64::min);
@@ -111,9 +114,10 @@ impl LayupStrip {
             drawing.polygon(&corners, color(ply.cell));
             drawing.outline(&corners, 2.0, INK);
             let left_out = self.plies.len() - shown;
-            let text = match number + 1 == shown && left_out > 0 {
-                true => format!("and {} more plies", left_out + 1),
-                false => ply.words(section, unit, number + 1),
+            let text = if number + 1 == shown && left_out > 0 {
+                format!("and {} more plies", left_out + 1)
+            } else {
+                ply.words(section, unit, number + 1)
             };
             let text = drawing.shortened(&text, label, width - BOX - 40.0);
             drawing.text(&text, [right + 20.0, above + 0.5 * ROW], label);

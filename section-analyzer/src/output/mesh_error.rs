@@ -45,9 +45,10 @@ pub fn mesh_error_table(solution: &SectionSolution, error: &DiscretizationError)
                 small if small <= ZERO => "0".to_owned(),
                 value => format!("{value:.1e}"),
             };
-            match DiscretizationError::is_of_entry(&solution.stiffness, (i, j)) {
-                true => format!("{value} "),
-                false => format!("({value})"),
+            if DiscretizationError::is_of_entry(&solution.stiffness, (i, j)) {
+                format!("{value} ")
+            } else {
+                format!("({value})")
             }
         });
         let name = std::iter::once(COMPONENTS[i].to_owned());

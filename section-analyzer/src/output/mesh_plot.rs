@@ -130,14 +130,15 @@ impl<'a> MeshPlot<'a> {
     /// Note on walls that are drawn wider than in reality.
     fn true_scale(&self) -> String {
         let wall = self.wall / self.plane.scale;
-        match self.wall < THINNEST {
-            true => format!(
+        if self.wall < THINNEST {
+            format!(
                 "; walls drawn {THINNEST} pixels wide, actual width about {} {} ({:.1} pixels)",
                 tick_label(rounded(wall / self.unit.meters), 0.0),
                 self.unit.name,
                 self.wall,
-            ),
-            false => String::new(),
+            )
+        } else {
+            String::new()
         }
     }
 

@@ -119,9 +119,10 @@ pub(super) fn couplings(stiffness: &Matrix6<f64>) -> String {
             }
         }
     }
-    let list = match rows.is_empty() {
-        true => "  none above 1e-6\n".to_owned(),
-        false => table(&rows, "llr"),
+    let list = if rows.is_empty() {
+        "  none above 1e-6\n".to_owned()
+    } else {
+        table(&rows, "llr")
     };
     format!("Couplings about the reference point, Kij / sqrt(Kii Kjj) and Kij\n{list}")
 }

@@ -165,20 +165,18 @@ fn under_load(properties: &SectionProperties, load: &LoadCase, is_along: bool) -
         Some(_) => format!("  (with the effect of {names} on the section)\n"),
         None => format!("  (without the stresses of {names}, which are unknown)\n"),
     };
-    let of_forces_along = match is_along {
-        true => {
-            "  (of the load along the beam only the internal force is included: the stresses that \
+    let of_forces_along = if is_along {
+        "  (of the load along the beam only the internal force is included: the stresses that \
              it adds within the section are ignored)\n"
-        }
-        false => "",
+    } else {
+        ""
     };
     let least = least_eigenvalue(&stiffness);
-    let remark = match least > 0.0 {
-        true => "",
-        false => {
-            "  (not positive definite: at this load the section itself is unstable, or the \
+    let remark = if least > 0.0 {
+        ""
+    } else {
+        "  (not positive definite: at this load the section itself is unstable, or the \
              load is too large for the first order)\n"
-        }
     };
     format!(
         "Stiffness under load \"{}\", to first order [N, N m, N m^2]\n{}{of_imposed}\

@@ -40,9 +40,10 @@ pub fn properties(
         initial_curvature: section.initial_curvature,
         input_hash,
     };
-    let known = match solution.has_open_electrodes() {
-        true => &ImposedSolutions::default(),
-        false => imposed,
+    let known = if solution.has_open_electrodes() {
+        &ImposedSolutions::default()
+    } else {
+        imposed
     };
     SectionProperties {
         thermal_force: known.per_kelvin.as_ref().map(|one| one.restrained_force),

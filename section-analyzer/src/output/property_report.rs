@@ -79,9 +79,10 @@ fn head(file: &str, properties: &SectionProperties) -> String {
     }
     let [y, z] = [properties.reference_point.x, properties.reference_point.y];
     let turned = |step: &section::Step| matches!(step.change, Change::Rotate(_));
-    let axes = match source.history.iter().any(turned) {
-        true => "mesh axes turned likewise",
-        false => "mesh axes",
+    let axes = if source.history.iter().any(turned) {
+        "mesh axes turned likewise"
+    } else {
+        "mesh axes"
     };
     let scale = radius_of_gyration(properties);
     let (y, z) = (coordinate(y, scale), coordinate(z, scale));

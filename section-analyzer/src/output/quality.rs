@@ -13,12 +13,13 @@ pub(super) fn quality_in_short(summary: &InputSummary) -> String {
             .worst_value(measure)
             .map_or(0.0, |value| shown(measure, value))
     };
-    let middles = match has_middles(quality) {
-        true => format!(
+    let middles = if has_middles(quality) {
+        format!(
             ", side middles off by up to {:.2} of the side",
             worst(ShapeMeasure::Middle)
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     let poor = match quality.poor() {
         0 => "no cell is poor".to_owned(),
@@ -81,9 +82,10 @@ fn grades(quality: &MeshQuality) -> String {
         let [poor, good] = measure
             .limits()
             .map(|limit| tick_label(shown(measure, limit), 0.0));
-        let (below, above) = match measure.is_better_large() {
-            true => ("below", "from"),
-            false => ("above", "up to"),
+        let (below, above) = if measure.is_better_large() {
+            ("below", "from")
+        } else {
+            ("above", "up to")
         };
         let [few, some, most] = counts;
         let (beyond, within) = (format!("{below} {poor}"), format!("{above} {good}"));

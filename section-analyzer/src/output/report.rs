@@ -123,9 +123,10 @@ fn head(section: &Section, summary: &InputSummary) -> String {
 /// The undeformed beam; empty if it is straight.
 fn curvature(section: &Section) -> String {
     let initial = &section.initial_curvature;
-    match initial.is_straight() {
-        true => String::new(),
-        false => undeformed_beam(initial),
+    if initial.is_straight() {
+        String::new()
+    } else {
+        undeformed_beam(initial)
     }
 }
 
@@ -135,9 +136,10 @@ fn warnings(summary: &InputSummary) -> String {
         .iter()
         .map(|warning| format!("  warning: {warning}\n"));
     let lines: String = lines.collect();
-    match lines.is_empty() {
-        true => String::new(),
-        false => format!("Warnings\n{lines}"),
+    if lines.is_empty() {
+        String::new()
+    } else {
+        format!("Warnings\n{lines}")
     }
 }
 
@@ -146,9 +148,10 @@ fn materials(materials: &[Material]) -> String {
         let (kind, constants) = law(&material.law);
         let density = Digits(material.density);
         let expansion = expansion(material.expansion);
-        let constants = match constants.is_empty() {
-            true => constants,
-            false => format!("      {constants}\n"),
+        let constants = if constants.is_empty() {
+            constants
+        } else {
+            format!("      {constants}\n")
         };
         let electric = material.electric.as_ref();
         let electric = electric.map_or_else(String::new, electric_law);
@@ -165,9 +168,10 @@ fn materials(materials: &[Material]) -> String {
 fn expansion(coefficients: Option<[f64; 3]>) -> String {
     let line = |[a1, a2, a3]: [f64; 3]| {
         let shown = [a1, a2, a3].map(|a| Digits(a).to_string());
-        let shown = match a1 == a2 && a2 == a3 {
-            true => shown[0].clone(),
-            false => shown.join(", "),
+        let shown = if a1 == a2 && a2 == a3 {
+            shown[0].clone()
+        } else {
+            shown.join(", ")
         };
         format!("      expansion {shown} 1/K\n")
     };
@@ -226,9 +230,10 @@ fn regions(section: &Section, summary: &InputSummary) -> String {
     for (region, area) in summary.regions.iter().zip(&summary.areas.regions) {
         let angle = |angle: &AngleSource| {
             let is_zero = *angle == AngleSource::Constant(0.0);
-            match is_zero && is_isotropic(&region.material) {
-                true => "-".to_owned(),
-                false => angle.to_string(),
+            if is_zero && is_isotropic(&region.material) {
+                "-".to_owned()
+            } else {
+                angle.to_string()
             }
         };
         rows.push(vec![
@@ -291,13 +296,14 @@ pub fn checks(checks: &Checks) -> String {
     ];
     let errors = [checks.equilibrium, checks.asymmetry, checks.decoupling];
     let error = errors.into_iter().fold(0.0, f64::max);
-    let lost = match error > FEW_DIGITS {
-        true => format!(
+    let lost = if error > FEW_DIGITS {
+        format!(
             "  remark: {:.0} digits of the result are significant: walls thousands of times \
              longer than thick, and moduli many orders of magnitude apart, lose the others\n",
             -error.log10().ceil()
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     format!(
         "Checks of this run (relative errors, except the last two)\n{}{lost}",

@@ -17,9 +17,10 @@ pub(super) fn strengths(materials: &[Material], limits: &[MaterialLimits]) -> St
             text += &format!("  {name}: {}\n", of_strain(limit));
         }
     }
-    match text.is_empty() {
-        true => text,
-        false => format!("Strengths\n{text}"),
+    if text.is_empty() {
+        text
+    } else {
+        format!("Strengths\n{text}")
     }
 }
 

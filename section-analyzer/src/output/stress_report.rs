@@ -49,9 +49,10 @@ fn load(recovery: &Recovery, size: f64) -> String {
     let strain = without_round_off(&recovery.generalized_strain, size, recovery.strain_scale);
     // without internal force, the resultant of a load along the beam is round-off
     let has_force = recovery.load.force.amax() > 0.0;
-    let resultant = match has_force {
-        true => without_round_off(&recovery.resultant, size.recip(), 0.0),
-        false => Vector6::zeros(),
+    let resultant = if has_force {
+        without_round_off(&recovery.resultant, size.recip(), 0.0)
+    } else {
+        Vector6::zeros()
     };
     for (i, component) in COMPONENTS.iter().enumerate() {
         rows.push(vec![
@@ -78,9 +79,10 @@ fn load(recovery: &Recovery, size: f64) -> String {
 /// The imposed states of the load and the load along the beam, if there are any.
 fn acting_with(recovery: &Recovery) -> String {
     let states = &recovery.load.imposed;
-    let mut words = match states.is_empty() {
-        true => String::new(),
-        false => format!("  under the imposed strains of {}\n", states.join(", ")),
+    let mut words = if states.is_empty() {
+        String::new()
+    } else {
+        format!("  under the imposed strains of {}\n", states.join(", "))
     };
     if recovery.is_distributed {
         words += "  with a load along the beam, shown at the end\n";
@@ -210,8 +212,9 @@ fn stressed_groups(section: &Section, recovery: &Recovery) -> Vec<bool> {
 }
 
 fn reserve(factor: f64) -> String {
-    match factor.is_finite() {
-        true => number(factor),
-        false => "none".to_owned(),
+    if factor.is_finite() {
+        number(factor)
+    } else {
+        "none".to_owned()
     }
 }

@@ -163,9 +163,10 @@ fn failure_columns(index: Option<&FailureIndex>) -> [String; 3] {
     let Some(index) = index else {
         return Default::default();
     };
-    let reserve = match index.reserve_factor.is_finite() {
-        true => number(index.reserve_factor),
-        false => String::new(),
+    let reserve = if index.reserve_factor.is_finite() {
+        number(index.reserve_factor)
+    } else {
+        String::new()
     };
     [number(index.index), reserve, index.mode.name().to_owned()]
 }

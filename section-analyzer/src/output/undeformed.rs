@@ -19,12 +19,13 @@ pub(super) fn undeformed_beam(initial: &InitialCurvature) -> String {
     add("the same [deg/m]", curvature.map(f64::to_degrees).into());
     add("slope of the reference line [-]", initial.slope.into());
     let length = initial.slope.norm();
-    let per = match (length - 1.0).abs() <= UNIT {
-        true => "per length of the reference line".to_owned(),
-        false => format!(
+    let per = if (length - 1.0).abs() <= UNIT {
+        "per length of the reference line".to_owned()
+    } else {
+        format!(
             "per unit of the parameter by which the line has this slope: {} of its length",
             number(length)
-        ),
+        )
     };
     format!(
         "Undeformed beam, curved or twisted\n{}  stiffness and mass apply to this beam, {per}\n",

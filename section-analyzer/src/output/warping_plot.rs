@@ -161,9 +161,10 @@ impl<'a> WarpingPlot<'a> {
 
     /// The outline before and after the warping in the plane.
     fn draw_outlines(&self, drawing: &mut Drawing, panel: &Panel<'_>) {
-        let factor = match panel.has_in_plane() {
-            true => EXAGGERATED * self.size / panel.largest[1],
-            false => 0.0,
+        let factor = if panel.has_in_plane() {
+            EXAGGERATED * self.size / panel.largest[1]
+        } else {
+            0.0
         };
         let before = |node: u32| panel.plane.position(self.section.mesh.nodes[node as usize]);
         let after = |node: u32| {
@@ -246,9 +247,12 @@ impl Panel<'_> {
     /// The largest values, short enough for a third of the figure.
     fn words(&self) -> String {
         let unit = if self.component < 3 { "m/N" } else { "1/N" };
-        let value = |is_there: bool, value: f64| match is_there {
-            true => format!("{value:.2e}"),
-            false => "0".to_owned(),
+        let value = |is_there: bool, value: f64| {
+            if is_there {
+                format!("{value:.2e}")
+            } else {
+                "0".to_owned()
+            }
         };
         let along = value(self.has_axial(), self.largest[0]);
         let across = value(self.has_in_plane(), self.largest[1]);

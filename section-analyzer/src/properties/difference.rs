@@ -90,10 +90,7 @@ impl Difference {
     /// as far as the files contain them: turned by the difference of the turns in their
     /// histories, then shifted by the difference of their reference points.
     pub fn between(a: &SectionProperties, b: &SectionProperties, as_given: bool) -> Self {
-        let brought = match as_given {
-            true => Vec::new(),
-            false => changes(a, b),
-        };
+        let brought = if as_given { Vec::new() } else { changes(a, b) };
         let b = brought.iter().fold(b.clone(), |b, change| match change {
             Change::Shift(by) => b.shift(*by),
             Change::Rotate(angle) => b.rotate(*angle),
@@ -174,9 +171,10 @@ pub fn radius_of_gyration(properties: &SectionProperties) -> f64 {
 
 /// The name of an entry of a matrix: `axial-bending z`, `torsion` on the diagonal.
 fn pair(i: usize, j: usize) -> String {
-    match i == j {
-        true => COMPONENTS[i].to_owned(),
-        false => format!("{}-{}", COMPONENTS[i], COMPONENTS[j]),
+    if i == j {
+        COMPONENTS[i].to_owned()
+    } else {
+        format!("{}-{}", COMPONENTS[i], COMPONENTS[j])
     }
 }
 

@@ -174,9 +174,10 @@ fn the_table_begins_the_energy_of_large_strain() {
     let large = LargeStrain::new(&section);
     let h = 2e-3;
     let unit = |i: usize| h * Vector4::ith(i, 1.0);
-    let mixed = |j: usize, k: usize| match j == k {
-        true => (large.force(&unit(j)) + large.force(&-unit(j))) / (h * h),
-        false => {
+    let mixed = |j: usize, k: usize| {
+        if j == k {
+            (large.force(&unit(j)) + large.force(&-unit(j))) / (h * h)
+        } else {
             let (sum, difference) = (unit(j) + unit(k), unit(j) - unit(k));
             let even = large.force(&sum) + large.force(&-sum);
             (even - large.force(&difference) - large.force(&-difference)) / (4.0 * h * h)

@@ -233,9 +233,10 @@ impl<'a> ElectricSide<'a> {
 
     /// Requires that the voltages of floating electrodes are determined.
     pub fn require_determined(&self) -> Result<(), Failure> {
-        match self.is_determined {
-            true => Ok(()),
-            false => Err(self.piezo.undetermined()),
+        if self.is_determined {
+            Ok(())
+        } else {
+            Err(self.piezo.undetermined())
         }
     }
 }

@@ -311,12 +311,13 @@ fn check_cells(section: &Section, cells: &Cells) -> Result<(), SensitivityProble
     match cells {
         Cells::Region(group) => {
             let count = section.mesh.groups.len();
-            match *group < count {
-                true => Ok(()),
-                false => Err(SensitivityProblem::NoRegion {
+            if *group < count {
+                Ok(())
+            } else {
+                Err(SensitivityProblem::NoRegion {
                     found: *group,
                     count,
-                }),
+                })
             }
         }
         Cells::List(list) => {

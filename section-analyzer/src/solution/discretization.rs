@@ -28,9 +28,10 @@ impl DiscretizationError {
     /// `sqrt(Kii Kjj)` \[-\].
     pub fn relative(&self, stiffness: &Matrix6<f64>) -> Matrix6<f64> {
         Matrix6::from_fn(|i, j| {
-            let scale = match Self::is_of_entry(stiffness, (i, j)) {
-                true => stiffness[(i, j)].abs(),
-                false => (stiffness[(i, i)] * stiffness[(j, j)]).sqrt(),
+            let scale = if Self::is_of_entry(stiffness, (i, j)) {
+                stiffness[(i, j)].abs()
+            } else {
+                (stiffness[(i, i)] * stiffness[(j, j)]).sqrt()
             };
             self.stiffness[(i, j)].abs() / scale
         })

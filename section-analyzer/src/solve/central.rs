@@ -44,15 +44,16 @@ struct Steps {
 
 impl Steps {
     fn along(line: &Line) -> Self {
-        match line.is_straight() {
-            true => Self {
+        if line.is_straight() {
+            Self {
                 linear: &[0, 3, 4, 5],
                 constant: 1..3,
-            },
-            false => Self {
+            }
+        } else {
+            Self {
                 linear: &[3, 4, 5],
                 constant: 0..3,
-            },
+            }
         }
     }
 }
@@ -172,9 +173,10 @@ impl Iteration {
     /// corrections overwrite the forces within the section.
     fn correct(&mut self, systems: &CentralSystems) -> Option<()> {
         let only_constant = self.last[0] <= SMALL_CORRECTION;
-        let columns = match only_constant {
-            true => self.steps.constant.clone(),
-            false => 0..6,
+        let columns = if only_constant {
+            self.steps.constant.clone()
+        } else {
+            0..6
         };
         let mut dtheta = self.imbalance(columns.clone());
         let n = self.x.nrows();

@@ -348,9 +348,10 @@ fn smallest_pivot<T: Scalar>(
         for column in begin..end {
             let local = column - begin;
             let entry = factor[first + local * rows + local];
-            let pivot = match is_definite {
-                true => entry.modulus_squared(),
-                false => entry.real(),
+            let pivot = if is_definite {
+                entry.modulus_squared()
+            } else {
+                entry.real()
             };
             let diagonal = e.data()[e.indptr().outer_inds_sz(column).start].real();
             let ratio = pivot / diagonal;

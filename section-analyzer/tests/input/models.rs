@@ -142,9 +142,10 @@ fn materials_of_vabs_are_turned_as_vabs_does() {
     // the terms of the seed: 11 to 66 on the diagonal, 1.2 and so on beside it
     let of_vabs = Matrix6::from_fn(|i, j| {
         let (row, column) = (i.min(j) + 1, i.max(j) + 1);
-        match i == j {
-            true => 11.0 * row as f64,
-            false => row as f64 + 0.1 * column as f64,
+        if i == j {
+            11.0 * row as f64
+        } else {
+            row as f64 + 0.1 * column as f64
         }
     });
     let order = [0, 3, 5, 4, 2, 1];

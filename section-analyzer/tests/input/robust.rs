@@ -55,9 +55,10 @@ fn changed_section_files_are_read_or_refused() {
         let mut random = Random::new(number as u64);
         for _ in 0..MUTATIONS {
             let changed = mutated(text.as_bytes(), &mut random);
-            match read(&String::from_utf8_lossy(&changed)) {
-                true => good += 1,
-                false => bad += 1,
+            if read(&String::from_utf8_lossy(&changed)) {
+                good += 1
+            } else {
+                bad += 1
             }
         }
     }
@@ -95,10 +96,7 @@ fn changed_files_of_matrices_are_read_or_refused() {
         let (mut good, mut bad) = (0, 0);
         for _ in 0..MUTATIONS / 2 {
             write(index, &mutated(text, &mut random));
-            match read() {
-                true => good += 1,
-                false => bad += 1,
-            }
+            if read() { good += 1 } else { bad += 1 }
         }
         println!("{}: {good} read, {bad} refused", GIVEN[index]);
         assert!(good > 10 && bad > 10);

@@ -106,31 +106,30 @@ fn case(value: &Value) -> Case {
 /// through the thickness.
 fn material(name: &str, law: &Value) -> Material {
     let three = |key: &str| [0, 1, 2].map(|i| number(&law[key][i]));
-    let law_of = match law["E"].is_array() {
-        false => ElasticLaw::Isotropic {
+    let law_of = if law["E"].is_array() {
+        let ([e1, e2, e3], [g12, g13, g23], [nu12, nu13, nu23]) =
+            (three("E"), three("G"), three("nu"));
+        let through = if nu12 == nu13 && nu13 == nu23 && e1 == e3 {
+            0.85
+        } else {
+            1.0
+        };
+        let (nu13, nu23) = (through * nu13, through * nu23);
+        ElasticLaw::Orthotropic(EngineeringConstants {
+            e1,
+            e2,
+            e3,
+            g12,
+            g13,
+            g23,
+            nu12,
+            nu13,
+            nu23,
+        })
+    } else {
+        ElasticLaw::Isotropic {
             young: number(&law["E"]),
             poisson: number(&law["nu"]).min(0.49),
-        },
-        true => {
-            let ([e1, e2, e3], [g12, g13, g23], [nu12, nu13, nu23]) =
-                (three("E"), three("G"), three("nu"));
-            let through = if nu12 == nu13 && nu13 == nu23 && e1 == e3 {
-                0.85
-            } else {
-                1.0
-            };
-            let (nu13, nu23) = (through * nu13, through * nu23);
-            ElasticLaw::Orthotropic(EngineeringConstants {
-                e1,
-                e2,
-                e3,
-                g12,
-                g13,
-                g23,
-                nu12,
-                nu13,
-                nu23,
-            })
         }
     };
     Material {

@@ -73,10 +73,11 @@ pub(super) fn ranked(matrix: MatRef<'_, f64>, (zero, scale): (f64, Option<f64>))
         reflections.push(v);
     }
     let rank = reflections.len();
-    let r = Mat::from_fn(rank, columns, |i, j| match i <= j {
-        true => work[(i, j)],
-        false => 0.0,
-    });
+    let r = Mat::from_fn(
+        rank,
+        columns,
+        |i, j| if i <= j { work[(i, j)] } else { 0.0 },
+    );
     Ranked {
         reflections,
         r,
@@ -163,9 +164,12 @@ mod tests {
     // Exact zeros, in all columns and in some.
     #[test]
     fn zeros_have_no_rank() {
-        let some = |i: usize, j: usize| match i % 3 == 1 && j % 4 < 2 {
-            true => (1.3 * i as f64 + 0.7 * (i * j) as f64).sin(),
-            false => 0.0,
+        let some = |i: usize, j: usize| {
+            if i % 3 == 1 && j % 4 < 2 {
+                (1.3 * i as f64 + 0.7 * (i * j) as f64).sin()
+            } else {
+                0.0
+            }
         };
         for (matrix, rank) in [
             (Mat::zeros(1, 1), 0),

@@ -21,9 +21,10 @@ const LONG: f64 = 0.75;
 /// Independent subtrees of a tree in postorder, ascending; empty if the tree is small or hardly
 /// branches. The choice minimizes the longest branch and the trunk together.
 pub(super) fn of(parents: &[u32]) -> Vec<Range<usize>> {
-    match parents.len() >= LARGE {
-        true => found(parents),
-        false => Vec::new(),
+    if parents.len() >= LARGE {
+        found(parents)
+    } else {
+        Vec::new()
     }
 }
 
@@ -76,9 +77,10 @@ fn add_subtrees(
     let (mut end, mut small) = (range.end, 0);
     while end > range.start {
         let (root, size) = (end - 1, sizes[end - 1]);
-        match size >= least {
-            true => subtrees.push((size, root)),
-            false => small += size,
+        if size >= least {
+            subtrees.push((size, root))
+        } else {
+            small += size
         }
         end -= size;
     }

@@ -49,9 +49,10 @@ fn found(pattern: &Pattern, count: u16) -> Option<Vec<u16>> {
     let half = f64::from(length / 2 + 1);
     let stage = |i: usize| {
         let from_end = levels[i].min(length - levels[i]);
-        match cut[i] {
-            true => count,
-            false => (f64::from(from_end) / half * f64::from(count)) as u16,
+        if cut[i] {
+            count
+        } else {
+            (f64::from(from_end) / half * f64::from(count)) as u16
         }
     };
     is_chain.then(|| (0..n).map(stage).collect())

@@ -188,9 +188,10 @@ struct OfBranch<'a, L> {
 impl<L> Rows<L> for OfBranch<'_, L> {
     #[inline(always)]
     fn at(&mut self, row: usize) -> &mut L {
-        match row < self.end {
-            true => &mut self.own[row - self.first],
-            false => &mut self.beyond[row - self.end],
+        if row < self.end {
+            &mut self.own[row - self.first]
+        } else {
+            &mut self.beyond[row - self.end]
         }
     }
 
@@ -215,9 +216,10 @@ impl<T: Number, R: Rows<T::Lanes>> WithSimd for Elimination<'_, T, R> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Self::Output {
         // Registers of four numbers and more have fused products, and so has ARM.
-        match size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
-            true => self.run::<Fused>(),
-            false => self.run::<Plain>(),
+        if size_of::<S::f64s>() >= 32 || cfg!(target_arch = "aarch64") {
+            self.run::<Fused>()
+        } else {
+            self.run::<Plain>()
         }
     }
 }
@@ -407,9 +409,10 @@ impl<T: Number, R: Rows<T::Lanes>> Elimination<'_, T, R> {
             for j in 0..LANES {
                 divide::<T, P>(&mut x, j, &inverse, &upper, &mut lower_size);
             }
-            match count == LANES {
-                true => store::<T>(&mut values[from..from + LANES], &x),
-                false => store::<T>(&mut values[from..from + count], &x),
+            if count == LANES {
+                store::<T>(&mut values[from..from + LANES], &x)
+            } else {
+                store::<T>(&mut values[from..from + count], &x)
             }
         }
         self.area.sizes[strip.panel() - first_size] = [lower_size, upper_size];

@@ -106,9 +106,10 @@ impl<'a, T: Number> Active<'a, T> {
             own.for_each(|&row| rows.push(row as usize, j as u32));
         }
         let stages = stages(pattern).unwrap_or_else(|| vec![0; n]);
-        let turn = match n >= LARGE {
-            true => Turn::EachInTurn,
-            false => Turn::LatestFirst,
+        let turn = if n >= LARGE {
+            Turn::EachInTurn
+        } else {
+            Turn::LatestFirst
         };
         Self {
             pattern,
@@ -129,9 +130,10 @@ impl<'a, T: Number> Active<'a, T> {
 
     /// Row and value of each entry of a column.
     fn entries(&self, column: usize) -> impl Iterator<Item = (u32, T)> + '_ {
-        let given = match self.is_given[column] {
-            true => self.pattern.column(column),
-            false => 0..0,
+        let given = if self.is_given[column] {
+            self.pattern.column(column)
+        } else {
+            0..0
         };
         let given = given.map(move |at| self.given(at, column));
         given.chain(self.columns.of(column).iter().copied())

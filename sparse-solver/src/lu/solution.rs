@@ -172,9 +172,10 @@ impl<T: Number, R: Row<T>> Solution<'_, T, R> {
         }
         for (&row, values) in rows[width..].iter().zip(below.chunks_exact(width)) {
             let row = row as usize;
-            let b = match WHOLE || row < *trunk {
-                true => &mut rest[row - end],
-                false => &mut sums[row - *trunk],
+            let b = if WHOLE || row < *trunk {
+                &mut rest[row - end]
+            } else {
+                &mut sums[row - *trunk]
             };
             *b = b.minus(product(values, known));
         }

@@ -42,9 +42,12 @@ fn values(pattern: &Pattern, scattered: &mut Scattered) -> Vec<f64> {
             .map(move |row| (*row, j))
     };
     let entries = (0..pattern.size()).flat_map(of_column);
-    let value = |(row, column): (u32, usize)| match row as usize == column {
-        true => 8.0 + scattered.next(),
-        false => scattered.next(),
+    let value = |(row, column): (u32, usize)| {
+        if row as usize == column {
+            8.0 + scattered.next()
+        } else {
+            scattered.next()
+        }
     };
     entries.map(value).collect()
 }

@@ -102,9 +102,10 @@ impl<E: Equations> Dae for System<E> {
 
     fn renew(&mut self, corner: &Corner, _step: f64) -> Renewal {
         let State { y, rates } = &mut self.latest;
-        match self.equations.renew(corner.after, y, rates) {
-            true => Renewal::Rates,
-            false => Renewal::Unknown,
+        if self.equations.renew(corner.after, y, rates) {
+            Renewal::Rates
+        } else {
+            Renewal::Unknown
         }
     }
 
@@ -152,9 +153,10 @@ impl<E: Equations> Dae for System<E> {
         for sum in out {
             for j in 0..n {
                 for i in 0..n {
-                    sum.matrix.values_mut()[j * n + i] = match E::ALGEBRAIC[j] {
-                        true => sum.by_algebraic * by_y[(i, j)],
-                        false => sum.by_unknowns * by_y[(i, j)] + sum.by_rates * by_rates[(i, j)],
+                    sum.matrix.values_mut()[j * n + i] = if E::ALGEBRAIC[j] {
+                        sum.by_algebraic * by_y[(i, j)]
+                    } else {
+                        sum.by_unknowns * by_y[(i, j)] + sum.by_rates * by_rates[(i, j)]
                     };
                 }
             }

@@ -140,9 +140,10 @@ pub const TABLE_10_2: [[f64; 3]; 5] = [
 fn pendulum_errors(rho: f64, h: f64, is_consistent: bool) -> [f64; 5] {
     let data = reference("pendulum_errors.json");
     let exact = ["x", "y", "xdot", "ydot", "lam"].map(|name| number(&data["reference"][name]));
-    let system = match is_consistent {
-        true => Pendulum::consistent(),
-        false => Pendulum::inconsistent(),
+    let system = if is_consistent {
+        Pendulum::consistent()
+    } else {
+        Pendulum::inconsistent()
     };
     let found = run(system, Scheme::TwoStep { radius: rho }, h, 1.0);
     std::array::from_fn(|i| (found[i] / exact[i] - 1.0).abs())

@@ -20,12 +20,13 @@ const SPEED: f64 = 5.0;
 /// there is no torque in the equilibrium.
 fn hoop(drag: f64) -> String {
     let (s, c) = 0.95_f64.sin_cos();
-    let spring = match drag > 0.0 {
-        true => format!(
+    let spring = if drag > 0.0 {
+        format!(
             "[[spring]]\nname = \"drag\"\nnode = \"shaft\"\n\
              rotational_damping = [0, 0, {drag:?}]\n"
-        ),
-        false => String::new(),
+        )
+    } else {
+        String::new()
     };
     format!(
         "[[node]]\nname = \"shaft\"\nposition = [0, 0, 0]\n\

@@ -85,12 +85,13 @@ fn a_shaft_of_prescribed_speed() {
 #[test]
 fn the_torque_of_a_free_shaft() {
     for drag in [0.0, 0.3] {
-        let spring = match drag > 0.0 {
-            true => format!(
+        let spring = if drag > 0.0 {
+            format!(
                 "[[spring]]\nname = \"drag\"\nnode = \"shaft\"\n\
                  rotational_damping = [0, 0, {drag:?}]\n"
-            ),
-            false => String::new(),
+            )
+        } else {
+            String::new()
         };
         let shaft = format!(
             "{spring}[[load]]\nnode = \"shaft\"\nmoment = [0, 0, 1]\ndrive = \"= torque\"\n\

@@ -129,9 +129,10 @@ impl Recipe {
             let before = parts.ends.last().copied();
             let first = parts.chain.nodes.len();
             let along = attitude * Vector3::new(link.length, 0.0, 0.0);
-            match link.is_beam {
-                true => parts.add_beam(link, &point, &attitude),
-                false => parts.add_body(&(point + 0.4 * along), &(attitude * matrix(&link.axes))),
+            if link.is_beam {
+                parts.add_beam(link, &point, &attitude)
+            } else {
+                parts.add_body(&(point + 0.4 * along), &(attitude * matrix(&link.axes)))
             }
             if let Some(before) = before {
                 parts.join(

@@ -13,10 +13,7 @@ use crate::trim::{numbers, reference};
 /// Steps of a revolution, and the distance of boundaries from the exact ones [rad/s]: the growth changes
 /// by 0.2 to 0.5 1/s for a rad/s, and exponents are off by 3e-6 and 2e-8 1/s in 24 and 64 steps.
 fn steps() -> (usize, f64) {
-    match is_long() {
-        true => (64, 1e-6),
-        false => (24, 1e-4),
-    }
+    if is_long() { (64, 1e-6) } else { (24, 1e-4) }
 }
 
 /// The rotor by multipliers, with the lines of the values.

@@ -78,9 +78,10 @@ impl Aircraft {
         let drag = format!("(0.012 + 0.045*cl_{name}^2)");
         let along = format!("{size}*(-cl_{name}*({across}) - {drag}*{ahead})");
         let normal = format!("{size}*(cl_{name}*{ahead} - {drag}*({across}))");
-        let components = match is_level {
-            true => [along.as_str(), "0", &normal],
-            false => [along.as_str(), &normal, "0"],
+        let components = if is_level {
+            [along.as_str(), "0", &normal]
+        } else {
+            [along.as_str(), &normal, "0"]
         };
         system(
             &format!("alpha_{name}"),

@@ -102,9 +102,10 @@ fn jacobian(
 ) -> DMatrix<f64> {
     let mut out = LocalJacobian::new(LocalSize::without_scalars(3, 0));
     with_local(motion, |at| element.jacobian(at, &mut out));
-    let matrix = match columns[0].is_rate() {
-        true => out.by_rates(),
-        false => out.by_unknowns(),
+    let matrix = if columns[0].is_rate() {
+        out.by_rates()
+    } else {
+        out.by_unknowns()
     };
     let row = |i: usize| NODE_UNKNOWNS * (i / 6) + rows[i % 6 / 3].row() + i % 3;
     let column = |j: usize| NODE_UNKNOWNS * (j / 6) + columns[j % 6 / 3].column() + j % 3;

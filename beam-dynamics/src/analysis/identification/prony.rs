@@ -113,9 +113,12 @@ fn poles(values: &[f64], noise: f64) -> Option<Vec<Complex<f64>>> {
 fn amplitudes(poles: &[Complex<f64>], values: &[f64]) -> (Vec<Complex<f64>>, Vec<f64>) {
     let count = values.len();
     // Growing motions are scaled by their last sample: no power overflows.
-    let scale = |pole: &Complex<f64>| match pole.norm() > 1.0 {
-        true => pole.powu(count as u32 - 1).norm(),
-        false => 1.0,
+    let scale = |pole: &Complex<f64>| {
+        if pole.norm() > 1.0 {
+            pole.powu(count as u32 - 1).norm()
+        } else {
+            1.0
+        }
     };
     let scales: Vec<f64> = poles.iter().map(scale).collect();
     // y = sum a Re z^n - b Im z^n, with 2 c = a + i b; poles on the axis have no b.

@@ -120,11 +120,12 @@ impl Record {
         let is_equal = equal
             .map(|(k, time)| (time - start - step * k as f64).abs())
             .all(|off| off <= EQUAL * step);
-        let values = match is_equal {
-            true => values.to_vec(),
-            false => (0..count)
+        let values = if is_equal {
+            values.to_vec()
+        } else {
+            (0..count)
                 .map(|k| between(times, values, start + step * k as f64))
-                .collect(),
+                .collect()
         };
         Ok(Self {
             start,
@@ -179,9 +180,10 @@ fn low_pass(stride: usize) -> Vec<f64> {
     let edge = EDGE / stride as f64;
     let weight = |k: usize| {
         let at = k as f64 - half;
-        let sinc = match at == 0.0 {
-            true => 2.0 * edge,
-            false => (TAU * edge * at).sin() / (PI * at),
+        let sinc = if at == 0.0 {
+            2.0 * edge
+        } else {
+            (TAU * edge * at).sin() / (PI * at)
         };
         let angle = PI * at / half;
         sinc * (0.42 + 0.5 * angle.cos() + 0.08 * (2.0 * angle).cos())

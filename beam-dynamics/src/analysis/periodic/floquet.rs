@@ -121,9 +121,10 @@ fn mode(
     let nearest = |near: &f64| {
         let m = ((near - principal.im) / base).round() as i32;
         let other = ((-near - principal.im) / base).round() as i32;
-        match (frequency(m) - near).abs() <= (frequency(other) - near).abs() {
-            true => (m, (frequency(m) - near).abs()),
-            false => (other, (frequency(other) - near).abs()),
+        if (frequency(m) - near).abs() <= (frequency(other) - near).abs() {
+            (m, (frequency(m) - near).abs())
+        } else {
+            (other, (frequency(other) - near).abs())
         }
     };
     let by_near = settings

@@ -95,9 +95,10 @@ impl<'a> Flow<'a> {
         let (begin, end) = (self.time(number - 1), self.time(number));
         let length = end - begin;
         let corner = self.dae.next_corner(begin + AT_CORNER * length);
-        let last = match (corner - end).abs() <= AT_CORNER * length {
-            true => corner.min(end).next_down(),
-            false => end,
+        let last = if (corner - end).abs() <= AT_CORNER * length {
+            corner.min(end).next_down()
+        } else {
+            end
         };
         let iterations = self.step.converge(&mut self.dae, [begin, end], last)?;
         Ok((length, iterations))

@@ -75,9 +75,10 @@ impl StepMap {
             d[first..first + 3].copy_from_slice(later.as_slice());
         }
         for (i, &is_algebraic) in algebraic.iter().enumerate() {
-            match is_algebraic {
-                true => d[i] = 0.0,
-                false => d[i] += change(i),
+            if is_algebraic {
+                d[i] = 0.0
+            } else {
+                d[i] += change(i)
             }
         }
     }

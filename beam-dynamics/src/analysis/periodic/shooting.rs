@@ -205,9 +205,10 @@ impl Shooting<'_> {
         let largest = turns
             .flat_map(|node| &node[3..6])
             .fold(0.0_f64, |a, b| a.max(b.abs()));
-        match largest > FARTHEST {
-            true => FARTHEST / largest,
-            false => 1.0,
+        if largest > FARTHEST {
+            FARTHEST / largest
+        } else {
+            1.0
         }
     }
 

@@ -144,15 +144,17 @@ impl Search<'_, '_> {
         let (first, last) = own(a)
             .zip(own(b))
             .ok_or_else(|| (a.at, unresolved("a root is missing at an end")))?;
-        let (calm, unstable, stable) = match rises {
-            true => (&first, &last, StableSide::Below),
-            false => (&last, &first, StableSide::Above),
+        let (calm, unstable, stable) = if rises {
+            (&first, &last, StableSide::Below)
+        } else {
+            (&last, &first, StableSide::Above)
         };
         // At the end of an undamped mode its growth is round-off.
         let doubt = first.doubt.max(last.doubt);
-        let zero = match calm.growth() < -calm.doubt {
-            true => 0.0,
-            false => doubt.max(f64::MIN_POSITIVE),
+        let zero = if calm.growth() < -calm.doubt {
+            0.0
+        } else {
+            doubt.max(f64::MIN_POSITIVE)
         };
         let found = RefCell::new(Vec::new());
         let evaluate = &mut *self.evaluate;

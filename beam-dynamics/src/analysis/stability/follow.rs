@@ -36,10 +36,7 @@ pub(super) fn size<'a>(roots: impl Iterator<Item = &'a StabilityRoot>) -> f64 {
         sum += root.exponent.norm();
         count += 1.0;
     }
-    match sum > 0.0 {
-        true => sum / count,
-        false => 1.0,
-    }
+    if sum > 0.0 { sum / count } else { 1.0 }
 }
 
 /// Cost of the pair of two roots, its distance of the exponents, and the frequency of the second one.

@@ -35,9 +35,10 @@ pub fn root<E>(
         let secant = b[0] - b[1] * (b[0] - a[0]) / (b[1] - a[1]);
         let (low, high) = (a[0].min(b[0]), a[0].max(b[0]));
         let is_inside = secant > low && secant < high;
-        let x = match is_inside && !is_halved {
-            true => secant,
-            false => 0.5 * (low + high),
+        let x = if is_inside && !is_halved {
+            secant
+        } else {
+            0.5 * (low + high)
         };
         let value = f(x)?;
         let is_near = !is_halved && (x - last).abs() <= tolerance;
@@ -49,9 +50,10 @@ pub fn root<E>(
         sign = value.signum();
         is_halved = is_flat || kept >= KEPT;
         // The end of the other sign is kept.
-        let (changed, other) = match value.signum() == a[1].signum() {
-            true => (&mut a, &mut b),
-            false => (&mut b, &mut a),
+        let (changed, other) = if value.signum() == a[1].signum() {
+            (&mut a, &mut b)
+        } else {
+            (&mut b, &mut a)
         };
         *changed = [x, value];
         if kept > 0 {

@@ -311,13 +311,15 @@ fn root(
     let is_real = point.frequency == 0.0;
     let frequency = if is_real { 0.0 } else { TAU * seen };
     StabilityRoot {
-        kind: match is_real {
-            true => BoundaryKind::Divergence,
-            false => BoundaryKind::Flutter,
+        kind: if is_real {
+            BoundaryKind::Divergence
+        } else {
+            BoundaryKind::Flutter
         },
-        doubt: match is_real {
-            true => 0.0,
-            false => ROUND_OFF * point.growth.hypot(TAU * point.frequency),
+        doubt: if is_real {
+            0.0
+        } else {
+            ROUND_OFF * point.growth.hypot(TAU * point.frequency)
         },
         name: point.kind().word_in(words).to_owned(),
         pattern: Some(pattern),

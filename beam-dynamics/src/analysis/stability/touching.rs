@@ -130,9 +130,10 @@ pub(super) fn touching(
                 frequency: root.frequency(),
                 growth: root.growth(),
                 name: name.clone(),
-                stable: match decays {
-                    true => StableSide::Both,
-                    false => StableSide::None,
+                stable: if decays {
+                    StableSide::Both
+                } else {
+                    StableSide::None
                 },
                 unstable: [left.0.unstable(), right.0.unstable()],
             });

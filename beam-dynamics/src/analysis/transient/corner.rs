@@ -109,9 +109,10 @@ pub(super) fn jump(
     });
     let mut pairs = left_before.iter().zip(&left_after);
     let jumps = |(a, b): (&f64, &f64)| (b - a).abs() > UNFELT * a.abs().max(b.abs());
-    match is_felt || pairs.any(jumps) {
-        true => Some(Jump::Acting),
-        false => Some(Jump::Nothing),
+    if is_felt || pairs.any(jumps) {
+        Some(Jump::Acting)
+    } else {
+        Some(Jump::Nothing)
     }
 }
 
@@ -149,9 +150,12 @@ pub(super) fn after_impulse(
 
 /// The largest size, infinite if one is not a number.
 fn largest(values: &[f64]) -> f64 {
-    let sizes = values.iter().map(|value| match value.is_nan() {
-        true => f64::INFINITY,
-        false => value.abs(),
+    let sizes = values.iter().map(|value| {
+        if value.is_nan() {
+            f64::INFINITY
+        } else {
+            value.abs()
+        }
     });
     sizes.fold(0.0, f64::max)
 }
@@ -280,13 +284,14 @@ impl fmt::Display for JointImpulse {
             (false, 1) => write!(f, " of {sizes}")?,
             (false, _) => write!(f, " of up to {sizes}")?,
         }
-        match self.is_followed {
-            true => write!(f, "; velocities were set to follow it"),
-            false => write!(
+        if self.is_followed {
+            write!(f, "; velocities were set to follow it")
+        } else {
+            write!(
                 f,
                 "; no velocities fulfill all constraints there, and the step after it must \
                  determine them"
-            ),
+            )
         }
     }
 }

@@ -29,14 +29,16 @@ pub(super) fn trouble(
     let Cause { words, remedies } = context.cause();
     let is_inexact = failure.local_error.is_some() || failure.reason == Reason::Corners;
     StepTrouble {
-        acting: match is_inexact {
-            true => Vec::new(),
-            false => acting(&model.system, failure.worst.index),
+        acting: if is_inexact {
+            Vec::new()
+        } else {
+            acting(&model.system, failure.worst.index)
         },
         // Converged iterations are omitted.
-        history: match is_inexact {
-            true => String::new(),
-            false => history(&model.system, &failure.history),
+        history: if is_inexact {
+            String::new()
+        } else {
+            history(&model.system, &failure.history)
         },
         failure,
         cause: words,
@@ -67,12 +69,11 @@ fn history(system: &System, iterations: &[Iteration]) -> String {
         let (worst, correction) = (&iteration.worst, iteration.correction);
         let is_same = index.replace(worst.index) == Some(worst.index);
         // Writing to a string cannot fail.
-        let _ = match is_same {
-            true => write!(text, ", "),
-            false => {
-                let semicolon = if i > 0 { "; " } else { "" };
-                write!(text, "{semicolon}{}: ", system.equation(worst.index))
-            }
+        let _ = if is_same {
+            write!(text, ", ")
+        } else {
+            let semicolon = if i > 0 { "; " } else { "" };
+            write!(text, "{semicolon}{}: ", system.equation(worst.index))
         };
         let _ = write!(text, "{:.1e} {correction:.1e}", worst.relative);
     }

@@ -333,20 +333,18 @@ impl Look {
     /// Adds the input of one element, which has `stored` \[J\] itself.
     fn add(&mut self, sum: &Sum, stored: f64, is_viscous: bool) {
         let work = sum.work + stored;
-        match work > 0.0 {
-            true => self.balance.put_in += work,
-            false => self.balance.taken_out -= work,
+        if work > 0.0 {
+            self.balance.put_in += work
+        } else {
+            self.balance.taken_out -= work
         }
         self.doubt += sum.doubt;
-        match is_viscous {
-            true => {
-                self.gain -= work.max(0.0);
-                self.scale += work.max(0.0);
-            }
-            false => {
-                self.gain -= work;
-                self.scale += sum.amount;
-            }
+        if is_viscous {
+            self.gain -= work.max(0.0);
+            self.scale += work.max(0.0);
+        } else {
+            self.gain -= work;
+            self.scale += sum.amount;
         }
     }
 }

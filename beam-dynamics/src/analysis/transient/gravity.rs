@@ -37,12 +37,13 @@ pub(super) struct Parts {
 pub(super) fn parts(gravity: &Vector3<f64>, axis: &Vector3<f64>) -> Parts {
     let axial = axis.dot(gravity) * axis;
     let across = gravity - axial;
-    match across.norm() > ROUND_OFF * gravity.norm() {
-        true => Parts { axial, across },
-        false => Parts {
+    if across.norm() > ROUND_OFF * gravity.norm() {
+        Parts { axial, across }
+    } else {
+        Parts {
             axial: *gravity,
             across: Vector3::zeros(),
-        },
+        }
     }
 }
 

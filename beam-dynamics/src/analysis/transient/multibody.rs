@@ -321,15 +321,16 @@ impl Dae for Multibody<'_> {
         let nodes = trial.base.nodes.iter().zip(&trial.turns);
         for (variation, (base, turn)) in self.variations.iter_mut().zip(nodes) {
             let exact = gibbs::linearized(turn, &attitude(base));
-            *variation = match self.is_simplified {
-                false => Variation {
-                    turn: exact.rotation,
-                    rate_by_turn: exact.velocity,
-                },
-                true => Variation {
+            *variation = if self.is_simplified {
+                Variation {
                     turn: Matrix3::identity(),
                     rate_by_turn: -skew(&gibbs::corrected(turn, &attitude(base)).angular_velocity),
-                },
+                }
+            } else {
+                Variation {
+                    turn: exact.rotation,
+                    rate_by_turn: exact.velocity,
+                }
             };
         }
         self.model.system.combine(
@@ -434,9 +435,10 @@ impl Dae for Multibody<'_> {
         let moved = time * largest_motion(missed[..first].chunks(MOTION), self.scales.reach());
         let [missed, now, largest] = [missed, now, largest].map(|all| &all[first..]);
         let of_scalars = self.with_rate.error(missed, [now, largest], GROWN);
-        match of_scalars > moved {
-            true => of_scalars,
-            false => moved,
+        if of_scalars > moved {
+            of_scalars
+        } else {
+            moved
         }
     }
 

@@ -74,9 +74,10 @@ fn worst(values: &[f64], first: usize) -> Unfulfilled {
         is_singular: false,
     };
     indices.fold(least, |a, b| {
-        match b.value.abs() > a.value.abs() || b.value.is_nan() {
-            true => b,
-            false => a,
+        if b.value.abs() > a.value.abs() || b.value.is_nan() {
+            b
+        } else {
+            a
         }
     })
 }

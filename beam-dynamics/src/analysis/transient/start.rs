@@ -137,16 +137,17 @@ fn moved(
     let system = &model.system;
     let not_placed = |off: Unfulfilled| {
         let constraint = system.equation(off.index);
-        match off.is_turned_over {
-            true => TransientFailure::TurnedOver {
+        if off.is_turned_over {
+            TransientFailure::TurnedOver {
                 constraint: constraint.to_string(),
                 time: settings.from,
-            },
-            false => TransientFailure::Positions {
+            }
+        } else {
+            TransientFailure::Positions {
                 constraint,
                 value: off.value,
                 is_singular: off.is_singular,
-            },
+            }
         }
     };
     let placed = place(system, given, conditions, &model.initial).map_err(not_placed)?;

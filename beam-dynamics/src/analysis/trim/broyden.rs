@@ -155,9 +155,10 @@ fn derivative<E>(
     let mut j = DMatrix::zeros(r.len(), x.len());
     for (column, range) in ranges.iter().enumerate() {
         let mut moved = x.to_vec();
-        let side = match x[column] + DIFFERENCE * range.scale <= range.bounds[1] {
-            true => 1.0,
-            false => -1.0,
+        let side = if x[column] + DIFFERENCE * range.scale <= range.bounds[1] {
+            1.0
+        } else {
+            -1.0
         };
         moved[column] += side * DIFFERENCE * range.scale;
         let change = DVector::from_vec(evaluate(&moved)?) - r;

@@ -20,9 +20,10 @@ impl Workspace {
     /// Buffers for a system; a large system has as many parts as rayon has threads.
     pub(super) fn of(system: &System) -> Self {
         // Threads are started on request.
-        let count = match system.numbering.unknowns() >= LARGE {
-            true => rayon::current_num_threads(),
-            false => 1,
+        let count = if system.numbering.unknowns() >= LARGE {
+            rayon::current_num_threads()
+        } else {
+            1
         };
         Self::in_parts(system, count)
     }
@@ -30,9 +31,12 @@ impl Workspace {
     /// Buffers for a system in a number of parts.
     pub(super) fn in_parts(system: &System, count: usize) -> Self {
         let nodes = system.nodes.len();
-        let border = |part: usize| match part == count {
-            true => system.numbering.unknowns(),
-            false => NODE_UNKNOWNS * (nodes * part / count),
+        let border = |part: usize| {
+            if part == count {
+                system.numbering.unknowns()
+            } else {
+                NODE_UNKNOWNS * (nodes * part / count)
+            }
         };
         let part = |k: usize| {
             let unknowns = border(k)..border(k + 1);
@@ -150,9 +154,10 @@ impl System {
                 let residual =
                     residual.map(|[values, sizes]| [taken(values, own), taken(sizes, own)]);
                 let sum = move || self.sum_part(task, part, &mut shares[..], residual);
-                match number == last {
-                    true => sum(),
-                    false => scope.spawn(move |_| sum()),
+                if number == last {
+                    sum()
+                } else {
+                    scope.spawn(move |_| sum())
                 }
             }
         });

@@ -222,9 +222,10 @@ impl Energetic for Beam {
     fn slope(&self) -> EnergySlope {
         let mut laws = self.points.iter().map(|point| &point.law);
         let is_driven = !self.electrodes.is_empty() || !laws.all(Law::keeps_energy);
-        match self.is_conservative() && !is_driven {
-            true => EnergySlope::Forces,
-            false => EnergySlope::Unknown,
+        if self.is_conservative() && !is_driven {
+            EnergySlope::Forces
+        } else {
+            EnergySlope::Unknown
         }
     }
 }
@@ -326,9 +327,10 @@ impl Reports for Beam {
             let variation = self.strain_point(point, &nodal);
             self.add_reading(point, (&found, &variation), at, (strain, component), row);
         }
-        Some(match strain {
-            true => found.now[component],
-            false => found.response.force[component],
+        Some(if strain {
+            found.now[component]
+        } else {
+            found.response.force[component]
         })
     }
 

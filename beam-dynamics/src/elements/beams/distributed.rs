@@ -110,9 +110,12 @@ impl DistributedLoad {
     /// A piece of the load at the current state, times a factor.
     fn acting(&self, piece: &LoadPoint, at: &SectionPoint<'_>, factor: f64) -> LineForce {
         let is_follower = self.turning == Turning::Follower;
-        let [force, moment] = [&piece.force, &piece.moment].map(|of| match is_follower {
-            true => factor * (at.point.r * of),
-            false => factor * of,
+        let [force, moment] = [&piece.force, &piece.moment].map(|of| {
+            if is_follower {
+                factor * (at.point.r * of)
+            } else {
+                factor * of
+            }
         });
         let turned = |of: &Vector3<f64>| at.theta.map(|theta| -skew_times(of, &theta));
         LineForce {

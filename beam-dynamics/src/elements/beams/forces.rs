@@ -44,9 +44,10 @@ pub(super) fn add_tangent(points: &[(Test, Variation)], rates: bool, out: &mut L
     for (test, by) in points {
         add_product(test, by, &mut columns);
     }
-    let variables = match rates {
-        true => [Variable::Velocity, Variable::AngularVelocity],
-        false => [Variable::Position, Variable::Rotation],
+    let variables = if rates {
+        [Variable::Velocity, Variable::AngularVelocity]
+    } else {
+        [Variable::Position, Variable::Rotation]
     };
     for i in 0..6 {
         let row = (i / 2, [Force, Moment][i % 2]);

@@ -111,9 +111,10 @@ impl NodalKinematics {
             let psi = parametrization.of_rotation(&(a.transpose() * section(j)));
             let is_beyond = parametrization == Parametrization::RotationVector
                 && psi.norm_squared() > LARGEST * LARGEST;
-            parametrization.at(&match is_beyond {
-                true => Vector3::repeat(f64::NAN),
-                false => psi,
+            parametrization.at(&if is_beyond {
+                Vector3::repeat(f64::NAN)
+            } else {
+                psi
             })
         };
         let outer = [relative(0), relative(2)];

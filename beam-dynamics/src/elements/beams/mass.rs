@@ -217,9 +217,10 @@ fn bodies(
 fn is_body(body: &RigidInertia) -> bool {
     let inertia = 0.5 * (body.inertia + body.inertia.transpose());
     let arm = skew(&body.first_moment);
-    let about_center = match body.mass > 0.0 {
-        true => inertia + arm * arm / body.mass,
-        false => inertia,
+    let about_center = if body.mass > 0.0 {
+        inertia + arm * arm / body.mass
+    } else {
+        inertia
     };
     let is_mass = body.mass > 0.0 || (body.mass == 0.0 && body.first_moment.norm() == 0.0);
     let least = -NO_INERTIA * inertia.symmetric_eigenvalues().amax();

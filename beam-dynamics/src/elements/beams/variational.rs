@@ -98,9 +98,10 @@ pub(super) fn add_on_line_variation(
     load: &LineForce,
     out: &mut LocalJacobian,
 ) {
-    let by_moment = match load.moment == Vector3::zeros() {
-        true => None,
-        false => Some(moment_variation(at, &load.moment, &Vector3::zeros())),
+    let by_moment = if load.moment == Vector3::zeros() {
+        None
+    } else {
+        Some(moment_variation(at, &load.moment, &Vector3::zeros()))
     };
     for j in 0..3 {
         let n = at.shape.n[j];

@@ -66,9 +66,10 @@ impl Servo {
         };
         let outward = if g < 0.0 { -1.0 } else { 1.0 };
         let r = (limit - outward * v) / (BAND * limit);
-        match r < 1.0 {
-            true => [r * (2.0 - r), -outward * 2.0 * (1.0 - r) / (BAND * limit)],
-            false => [1.0, 0.0],
+        if r < 1.0 {
+            [r * (2.0 - r), -outward * 2.0 * (1.0 - r) / (BAND * limit)]
+        } else {
+            [1.0, 0.0]
         }
     }
 

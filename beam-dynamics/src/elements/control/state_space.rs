@@ -67,9 +67,10 @@ impl Matrices {
         matrices.b = DMatrix::zeros(order, 1);
         matrices.c = DMatrix::from_fn(1, order, |_, i| if i == 0 { 1.0 } else { 0.0 });
         let last = rest.last().map_or(0.0, |last| (last / leading).abs());
-        let corner = match last > 0.0 {
-            true => last.powf(1.0 / order as f64),
-            false => 1.0,
+        let corner = if last > 0.0 {
+            last.powf(1.0 / order as f64)
+        } else {
+            1.0
         };
         for (i, coefficient) in rest.iter().enumerate() {
             let coefficient = coefficient / leading;

@@ -38,9 +38,12 @@ pub fn partly_clamped(
         b: (index, node),
     };
     let at = kinds::Placing::at(&node.position, axes);
-    let freedoms = held.map(|held| match held {
-        true => kinds::Freedom::Locked,
-        false => kinds::Freedom::Free,
+    let freedoms = held.map(|held| {
+        if held {
+            kinds::Freedom::Locked
+        } else {
+            kinds::Freedom::Free
+        }
     });
     ConstraintJoint::total(label, &ends, &at, freedoms)
 }

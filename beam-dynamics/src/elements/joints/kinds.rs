@@ -343,12 +343,13 @@ impl ConstraintJoint {
             [true, true, false] => joint.with_angle_about(2),
             _ => joint,
         };
-        match rotations
+        if rotations
             .iter()
             .any(|freedom| matches!(freedom, Freedom::Driven(_)))
         {
-            true => joint.turned_by(rotations.map(Freedom::signal)),
-            false => joint,
+            joint.turned_by(rotations.map(Freedom::signal))
+        } else {
+            joint
         }
     }
 }

@@ -184,9 +184,12 @@ fn total_joints_hold_what_they_name() {
         for bits in 0..64_u32 {
             let held = |i: usize| bits >> i & 1 == 1;
             let now: [f64; 6] = std::array::from_fn(|_| 1.5 * random.number());
-            let freedoms = std::array::from_fn(|i| match held(i) {
-                true => Freedom::Driven(Drive::Constant(now[i]).into()),
-                false => Freedom::Free,
+            let freedoms = std::array::from_fn(|i| {
+                if held(i) {
+                    Freedom::Driven(Drive::Constant(now[i]).into())
+                } else {
+                    Freedom::Free
+                }
             });
             let d = Vector3::new(now[0], now[1], now[2]);
             let driven = Vector3::from_fn(|i, _| if held(3 + i) { now[3 + i] } else { 0.0 });
@@ -300,9 +303,10 @@ fn reactions_do_no_work_and_balance() {
                         let column = NODE_UNKNOWNS * node + i;
                         let force = jacobian.by_unknowns()[(column + 6, first + row)];
                         let index = (first + row, column);
-                        let slope = match of_rates(row) {
-                            true => jacobian.by_rates()[index],
-                            false => jacobian.by_unknowns()[index],
+                        let slope = if of_rates(row) {
+                            jacobian.by_rates()[index]
+                        } else {
+                            jacobian.by_unknowns()[index]
                         };
                         assert_eq!(force, -slope, "{} {row}", joint.label());
                     }

@@ -57,14 +57,18 @@ impl<const N: usize> ExpressionLaw<N> {
             let unit = self.force_units[i];
             out.force[i] += unit * expression.at(|k| Jet::constant(variable(k))).value;
             for by in (0..2 * N).filter(|&by| expression.uses(by)) {
-                let seeded = |k: usize| match k == by {
-                    true => Jet::variable(variable(k)),
-                    false => Jet::constant(variable(k)),
+                let seeded = |k: usize| {
+                    if k == by {
+                        Jet::variable(variable(k))
+                    } else {
+                        Jet::constant(variable(k))
+                    }
                 };
                 let slope = unit * expression.at(seeded).first / self.strain_units[by % N];
-                match by < N {
-                    true => out.by_strain[(i, by)] += slope,
-                    false => out.by_rate[(i, by - N)] += slope * self.time_unit,
+                if by < N {
+                    out.by_strain[(i, by)] += slope
+                } else {
+                    out.by_rate[(i, by - N)] += slope * self.time_unit
                 }
             }
         }

@@ -213,9 +213,10 @@ impl LineState {
                     out.add((row, Force), (column, variable), &(-row_sign * by));
                     out.add((row, Moment), (column, variable), &(arm * by + lever));
                 };
-                let lever = match row == column {
-                    true => -row_sign * pull * f,
-                    false => Matrix3::zeros(),
+                let lever = if row == column {
+                    -row_sign * pull * f
+                } else {
+                    Matrix3::zeros()
                 };
                 let zero = Matrix3::zeros();
                 add(Variable::Position, &(sign * by.by_d), &zero);

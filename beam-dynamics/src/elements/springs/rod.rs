@@ -276,9 +276,10 @@ impl Energetic for Rod {
     }
 
     fn slope(&self) -> EnergySlope {
-        match self.relaxed.constant().is_some() && self.law.keeps_energy() {
-            true => EnergySlope::Forces,
-            false => EnergySlope::Unknown,
+        if self.relaxed.constant().is_some() && self.law.keeps_energy() {
+            EnergySlope::Forces
+        } else {
+            EnergySlope::Unknown
         }
     }
 }

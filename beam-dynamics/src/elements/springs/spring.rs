@@ -354,9 +354,10 @@ impl Energetic for Spring {
     }
 
     fn slope(&self) -> EnergySlope {
-        match self.law.keeps_energy() {
-            true => EnergySlope::Forces,
-            false => EnergySlope::Unknown,
+        if self.law.keeps_energy() {
+            EnergySlope::Forces
+        } else {
+            EnergySlope::Unknown
         }
     }
 }

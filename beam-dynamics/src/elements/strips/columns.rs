@@ -77,9 +77,12 @@ impl Columns<'_> {
     pub fn add_nodes(&self, at: &Local<'_>, hub: Option<usize>, out: &mut LocalJacobian) {
         let rows = self.rows();
         let loads: [_; LOADS] = std::array::from_fn(|i| self.flow.slopes(&of_load(self.by, i)));
-        let own: [_; ROWS] = std::array::from_fn(|i| match i < rows.count {
-            true => self.flow.slopes(&rows.by[i]),
-            false => [RowVector3::zeros(); 4],
+        let own: [_; ROWS] = std::array::from_fn(|i| {
+            if i < rows.count {
+                self.flow.slopes(&rows.by[i])
+            } else {
+                [RowVector3::zeros(); 4]
+            }
         });
         let stack = |k: usize| self.stack(loads.map(|it| it[k]), &own[..rows.count], k, k == 2);
         let [mut by_position, by_velocity, mut by_axes, by_omega] = [0, 1, 2, 3].map(stack);
@@ -117,9 +120,12 @@ impl Columns<'_> {
         let by_turn = self.flow.by_turn_of_hub();
         let slopes = |by: &[f64; FLOW]| self.flow.slopes_by_hub(by, &by_turn);
         let loads: [_; LOADS] = std::array::from_fn(|i| slopes(&of_load(self.by, i)));
-        let own: [_; ROWS] = std::array::from_fn(|i| match i < rows.count {
-            true => slopes(&rows.by[i]),
-            false => [RowVector3::zeros(); 2],
+        let own: [_; ROWS] = std::array::from_fn(|i| {
+            if i < rows.count {
+                slopes(&rows.by[i])
+            } else {
+                [RowVector3::zeros(); 2]
+            }
         });
         for (k, variable) in [Variable::Position, Variable::Rotation]
             .into_iter()

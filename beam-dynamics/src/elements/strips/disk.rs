@@ -202,9 +202,10 @@ impl RotorDisk {
     fn at_position<T: Real>(&self, of: &[T; INDUCED], is_skewed: bool) -> T {
         let (flow, position) = (flow(&of[2..]), [of[0], of[1]]);
         let states = &of[2 + FLOW..2 + FLOW + self.state_count()];
-        let found = match is_skewed {
-            true => Some(self.disk.skewed(&flow, of[2 + FLOW], &position)),
-            false => self.disk.induced(&flow, states, &position),
+        let found = if is_skewed {
+            Some(self.disk.skewed(&flow, of[2 + FLOW], &position))
+        } else {
+            self.disk.induced(&flow, states, &position)
         };
         found.unwrap_or_else(|| T::from(0.0))
     }

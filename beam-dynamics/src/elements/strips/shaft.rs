@@ -70,9 +70,10 @@ impl ShaftState {
         let radius = across.norm();
         Distance {
             radius,
-            by_point: match radius > 0.0 {
-                true => across.transpose() / radius,
-                false => RowVector3::zeros(),
+            by_point: if radius > 0.0 {
+                across.transpose() / radius
+            } else {
+                RowVector3::zeros()
             },
             from_center,
         }

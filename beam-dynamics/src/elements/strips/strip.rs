@@ -325,16 +325,18 @@ impl Element for AirStrip {
         // Models of sections may have forces at any speed.
         let is_known = numbers.iter().all(|number| number.is_finite());
         let Some(jacobian) = jacobian else {
-            let found = match is_known {
-                true => self.strip.evaluate(air, &numbers, values, rates),
-                false => [f64::NAN; OUTPUTS],
+            let found = if is_known {
+                self.strip.evaluate(air, &numbers, values, rates)
+            } else {
+                [f64::NAN; OUTPUTS]
             };
             self.add_residual((&flow, &numbers), at, &found, out);
             return;
         };
-        let by = match is_known {
-            true => self.strip.linearize(air, &numbers, values, rates),
-            false => StripJacobian::of_values([f64::NAN; OUTPUTS]),
+        let by = if is_known {
+            self.strip.linearize(air, &numbers, values, rates)
+        } else {
+            StripJacobian::of_values([f64::NAN; OUTPUTS])
         };
         let loads = self.add_residual((&flow, &numbers), at, &by.values, out);
         let scalars = at.scalars.values;

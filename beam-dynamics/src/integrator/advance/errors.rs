@@ -17,9 +17,10 @@ impl Errors {
     /// The larger; NaN if one is NaN. A force that jumps without end must not end a run: at the
     /// least step the positions alone are used.
     pub fn counted(&self, is_least: bool) -> f64 {
-        match is_least || self.speeds <= self.positions || self.positions.is_nan() {
-            true => self.positions,
-            false => self.speeds,
+        if is_least || self.speeds <= self.positions || self.positions.is_nan() {
+            self.positions
+        } else {
+            self.speeds
         }
     }
 
@@ -64,25 +65,24 @@ impl Integrator {
         let factor = constant / (error_of_value(order, ratio) - constant);
         let moved = self.corrector.moved().iter().zip(&self.end);
         self.difference.clear();
-        let difference =
-            moved
-                .enumerate()
-                .map(|(i, (moved, predicted))| match dae.algebraic()[i] {
-                    true => 0.0,
-                    false => {
-                        let polynomial = self.past.value(order, plan.length, ratio, i);
-                        factor * (moved + predicted - polynomial)
-                    }
-                });
+        let difference = moved.enumerate().map(|(i, (moved, predicted))| {
+            if dae.algebraic()[i] {
+                0.0
+            } else {
+                let polynomial = self.past.value(order, plan.length, ratio, i);
+                factor * (moved + predicted - polynomial)
+            }
+        });
         self.difference.extend(difference);
         let of_speeds = (self.progress.speeds).error(dae, formula, plan.end, plan.length);
         let speeds = match of_speeds {
             Some(error) => error,
             None => dae.error_of_scalars(formula.stages - 1, &self.difference),
         };
-        let positions = match is_known {
-            true => dae.error(&self.difference),
-            false => 0.0,
+        let positions = if is_known {
+            dae.error(&self.difference)
+        } else {
+            0.0
         };
         let [positions, speeds] = [positions, speeds].map(|error| error / control.tolerance);
         // Steps do not grow while too few previous states are known.

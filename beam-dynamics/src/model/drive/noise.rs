@@ -81,9 +81,10 @@ impl SteppedNoise {
     /// Index of the interval that begins at or before a time.
     fn index(&self, time: f64) -> f64 {
         let index = (time / self.interval).floor();
-        match (index + 1.0) * self.interval <= time {
-            true => index + 1.0,
-            false => index,
+        if (index + 1.0) * self.interval <= time {
+            index + 1.0
+        } else {
+            index
         }
     }
 

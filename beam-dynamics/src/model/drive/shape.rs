@@ -37,13 +37,14 @@ impl Ramp {
         }
         let (length, rise) = (self.end - self.start, self.to - self.from);
         let s = (time - self.start) / length;
-        let (f, f1, f2) = match self.smooth {
-            false => (s, 1.0, 0.0),
-            true => (
+        let (f, f1, f2) = if self.smooth {
+            (
                 s * s * s * (10.0 - s * (15.0 - 6.0 * s)),
                 30.0 * s * s * (1.0 - s) * (1.0 - s),
                 60.0 * s * (1.0 - s) * (1.0 - 2.0 * s),
-            ),
+            )
+        } else {
+            (s, 1.0, 0.0)
         };
         DriveValue {
             value: self.from + rise * f,
@@ -53,9 +54,10 @@ impl Ramp {
     }
 
     pub(super) fn next_corner(&self, time: f64) -> f64 {
-        match self.smooth {
-            true => f64::INFINITY,
-            false => next_of(&[self.start, self.end], time),
+        if self.smooth {
+            f64::INFINITY
+        } else {
+            next_of(&[self.start, self.end], time)
         }
     }
 }
@@ -73,9 +75,10 @@ pub struct Step {
 
 impl Step {
     pub(super) fn at(&self, time: f64) -> DriveValue {
-        DriveValue::constant(match time >= self.time {
-            true => self.to,
-            false => self.from,
+        DriveValue::constant(if time >= self.time {
+            self.to
+        } else {
+            self.from
         })
     }
 }

@@ -48,9 +48,10 @@ fn eigenvalues(model: &LinearModel) -> String {
     let heading = ["  growth [1/s]", "frequency [Hz]", "damping [-]"];
     let all = model.eigenvalues.iter().filter(|own| own.im >= 0.0);
     let row = |own: &nalgebra::Complex<f64>| {
-        let damping = match own.im > 0.0 {
-            true => short_number(cleared(-own.re / own.norm()), DIGITS),
-            false => String::new(),
+        let damping = if own.im > 0.0 {
+            short_number(cleared(-own.re / own.norm()), DIGITS)
+        } else {
+            String::new()
         };
         vec![
             format!("  {}", short_number(own.re, DIGITS)),
@@ -61,9 +62,10 @@ fn eigenvalues(model: &LinearModel) -> String {
     let count = all.clone().count();
     let rows = std::iter::once(heading.map(str::to_owned).to_vec()).chain(all.map(row));
     let rows: Vec<_> = rows.take(SHOWN + 1).collect();
-    let rest = match count > SHOWN {
-        true => format!("  and {} larger ones\n", count - SHOWN),
-        false => String::new(),
+    let rest = if count > SHOWN {
+        format!("  and {} larger ones\n", count - SHOWN)
+    } else {
+        String::new()
     };
     aligned(&rows) + &rest
 }

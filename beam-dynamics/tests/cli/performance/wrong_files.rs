@@ -7,9 +7,10 @@ use crate::Folder;
 fn refused(cases: &[(String, &str)]) {
     let folder = Folder::new();
     for (text, expected) in cases {
-        let text = match text.starts_with("units") {
-            true => text.clone(),
-            false => format!("units = \"SI\"\n{text}"),
+        let text = if text.starts_with("units") {
+            text.clone()
+        } else {
+            format!("units = \"SI\"\n{text}")
         };
         folder.write("a.rotor.toml", &text);
         let run = folder.run(&["performance", "a.rotor.toml"]);

@@ -40,9 +40,10 @@ pub(super) fn require_known(input: &Input, run: &Run) -> Result<(), String> {
             problems.push(location, &WithElectrodes(option));
         }
     }
-    match problems.is_empty() {
-        true => Ok(()),
-        false => Err(problems.to_string()),
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems.to_string())
     }
 }
 

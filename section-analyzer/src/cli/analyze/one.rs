@@ -154,9 +154,10 @@ fn analyze_checked(
     files: OutputFiles,
 ) -> (Outcome, Option<SectionSolution>) {
     let made_from = made_from(input, run);
-    let unchanged = match run.force {
-        true => None,
-        false => unchanged(&files, &made_from),
+    let unchanged = if run.force {
+        None
+    } else {
+        unchanged(&files, &made_from)
     };
     let mut removed = no_longer_requested(&files, run);
     let solve = || {
@@ -252,9 +253,10 @@ impl InCircuit {
         Ok(Self {
             seen: found.solution.in_circuit()?,
             mesh_error: MeshError::new(input, &found.solution, run),
-            fields: match run.figures.are_drawn() {
-                true => fields_per_volt(input, &found.solution)?,
-                false => Vec::new(),
+            fields: if run.figures.are_drawn() {
+                fields_per_volt(input, &found.solution)?
+            } else {
+                Vec::new()
             },
             found,
             derivatives,
@@ -305,9 +307,10 @@ fn solved(
         .into_iter()
         .flatten()
         .collect();
-    let status = match problems.is_empty() {
-        true => Status::Solved,
-        false => Status::NotReached,
+    let status = if problems.is_empty() {
+        Status::Solved
+    } else {
+        Status::NotReached
     };
     Outcome {
         report,

@@ -57,9 +57,10 @@ pub(super) fn open(input: &mut Input, names: &[String]) -> Result<(), String> {
             problems.push(location.clone(), &problem);
         }
     }
-    match problems.is_empty() {
-        true => Ok(()),
-        false => Err(problems.to_string()),
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems.to_string())
     }
 }
 
@@ -86,9 +87,10 @@ fn open_one(input: &mut Input, name: &str) -> Result<(), OpenProblem> {
             .iter()
             .filter(|known| known.circuit != Circuit::Ground);
         let known: Vec<_> = of_use.map(|known| known.name.clone()).collect();
-        return Err(match is_all && !electrodes.is_empty() {
-            true => OpenProblem::None { name },
-            false => OpenProblem::Unknown { name, known },
+        return Err(if is_all && !electrodes.is_empty() {
+            OpenProblem::None { name }
+        } else {
+            OpenProblem::Unknown { name, known }
         });
     }
     for load in &input.loads {

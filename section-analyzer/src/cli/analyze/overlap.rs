@@ -22,9 +22,10 @@ pub(super) struct Overlap {
 
 impl Explain for Overlap {
     fn help(&self) -> Option<String> {
-        Some(match self.first == self.second {
-            true => "name each section file once".to_owned(),
-            false => "give one of the section files another name, or remove --out".to_owned(),
+        Some(if self.first == self.second {
+            "name each section file once".to_owned()
+        } else {
+            "give one of the section files another name, or remove --out".to_owned()
         })
     }
 }

@@ -74,9 +74,10 @@ pub(super) fn parameters(input: &Input, run: &Run) -> Result<Option<Vec<Paramete
             }
         }
     }
-    match problems.is_empty() {
-        true => Ok(Some(parameters)),
-        false => Err(problems.to_string()),
+    if problems.is_empty() {
+        Ok(Some(parameters))
+    } else {
+        Err(problems.to_string())
     }
 }
 

@@ -185,9 +185,10 @@ fn angle(text: &str) -> Result<f64, String> {
     }
     let angle = finite(quantity(text.trim(), Dimension::ANGLE, EXPECTED)?)?;
     // round-off leaves no accurate digit of a much larger angle
-    match angle.abs() <= 1000.0 * std::f64::consts::TAU {
-        true => Ok(angle),
-        false => Err("expected at most 1000 revolutions".to_owned()),
+    if angle.abs() <= 1000.0 * std::f64::consts::TAU {
+        Ok(angle)
+    } else {
+        Err("expected at most 1000 revolutions".to_owned())
     }
 }
 
@@ -208,9 +209,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 fn finite(value: f64) -> Result<f64, String> {
-    match value.is_finite() {
-        true => Ok(value),
-        false => Err("expected finite numbers".to_owned()),
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err("expected finite numbers".to_owned())
     }
 }
 

@@ -34,9 +34,10 @@ pub(super) fn write(
 ) -> Result<(), Stop> {
     let figures = Figures::requested(arguments.no_figures, arguments.svg);
     let blade = span.blade();
-    let problems = match is_written {
-        true => blade.problems(),
-        false => Vec::new(),
+    let problems = if is_written {
+        blade.problems()
+    } else {
+        Vec::new()
     };
     let is_written = is_written && problems.is_empty();
     if is_written {
@@ -46,15 +47,16 @@ pub(super) fn write(
     let mut lost = Vec::new();
     let done = write_tables(span, files, figures, &mut written)
         .and_then(|()| write_page(page, files, &mut written))
-        .and_then(|()| match is_written {
-            true => write_blade(
-                &blade,
-                span.name,
-                files,
-                arguments,
-                (&mut written, &mut lost),
-            ),
-            false => {
+        .and_then(|()| {
+            if is_written {
+                write_blade(
+                    &blade,
+                    span.name,
+                    files,
+                    arguments,
+                    (&mut written, &mut lost),
+                )
+            } else {
                 remove_blade(&blade, span.name, files);
                 Ok(())
             }

@@ -81,9 +81,10 @@ fn polynomial(coefficients: &[f64]) -> String {
 /// At most six digits.
 fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
-        true => format!("{rounded:e}"),
-        false => rounded.to_string(),
+    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        rounded.to_string()
     }
 }
 

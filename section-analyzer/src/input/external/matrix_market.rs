@@ -70,9 +70,10 @@ pub(super) fn parse(text: &str, file: &str) -> Result<CsMat<f64>, Diagnostics> {
     let mut position = reader.first();
     let (mut count, mut wrong, mut last) = (0, 0, 1);
     for (line, text) in lines {
-        let read = match is_array {
-            true => reader.value(text, &mut position),
-            false => reader.entry(text),
+        let read = if is_array {
+            reader.value(text, &mut position)
+        } else {
+            reader.entry(text)
         };
         if let Err(problem) = read {
             wrong += 1;

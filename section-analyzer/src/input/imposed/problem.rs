@@ -110,9 +110,10 @@ impl Explain for ImposedProblem {
             }
             Self::Unknown {
                 kind, name, known, ..
-            } => Some(match known.is_empty() {
-                true => format!("add [{kind}.{name}] to the section file"),
-                false => nearest_or_all(name, known, "states of the file"),
+            } => Some(if known.is_empty() {
+                format!("add [{kind}.{name}] to the section file")
+            } else {
+                nearest_or_all(name, known, "states of the file")
             }),
             Self::NothingExpands { .. } => Some(
                 "add \"expansion\" to [material.NAME] of the heated regions: strain per declared \

@@ -69,9 +69,10 @@ impl Shape {
         }
         let is_one = airfoils.len() == 1;
         let airfoil = |(at, written): (f64, Points)| {
-            let even = match is_one {
-                true => written.clone(),
-                false => even(&written)?,
+            let even = if is_one {
+                written.clone()
+            } else {
+                even(&written)?
             };
             Ok(Airfoil { at, written, even })
         };
@@ -96,15 +97,16 @@ impl Shape {
         }
         let thickness = table.get(&RELATIVE_THICKNESS);
         let by_thickness = table.has(&RELATIVE_THICKNESS);
-        let airfoils = match table.has(&AIRFOILS) {
-            false => points(document, table).map(|points| vec![(0.0, points)]),
-            true => table.each(&AIRFOILS, |one| {
+        let airfoils = if table.has(&AIRFOILS) {
+            table.each(&AIRFOILS, |one| {
                 let key = if by_thickness { &AT_THICKNESS } else { &AT_ETA };
                 let at = one.require_item(key, "a number from 0 to 1");
                 let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
                 Some((at?, points?))
-            }),
+            })
+        } else {
+            points(document, table).map(|points| vec![(0.0, points)])
         };
         let made = Self::new([chord?, origin?, offset?], thickness?, airfoils?);
         made.map_err(|problem| table.note(&AIRFOILS, &problem)).ok()

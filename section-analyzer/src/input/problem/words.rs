@@ -85,11 +85,10 @@ pub(super) fn listed(lead: &str, has_lines: bool, cells: &[u64]) -> String {
 /// The constants across the fiber that a transversely isotropic material has, and the
 /// expected ones.
 pub(super) fn across_fiber(has_both: bool) -> &'static str {
-    match has_both {
-        true => {
-            "\"nu23\" and \"g23\" without \"e3\", \"g13\" and \"nu13\": expected one of the two \
+    if has_both {
+        "\"nu23\" and \"g23\" without \"e3\", \"g13\" and \"nu13\": expected one of the two \
              (G23 = E2 / (2 (1 + nu23))), or all nine constants"
-        }
-        false => "neither \"nu23\" nor \"g23\", expected one of them",
+    } else {
+        "neither \"nu23\" nor \"g23\", expected one of them"
     }
 }

@@ -136,9 +136,10 @@ impl Blade {
                     (!is_there).then_some(BladeProblem::WebOutside { web, part })
                 }),
         );
-        match problems.is_empty() {
-            true => Ok(()),
-            false => Err(problems),
+        if problems.is_empty() {
+            Ok(())
+        } else {
+            Err(problems)
         }
     }
 
@@ -216,9 +217,10 @@ impl Blade {
         let walls = 3 * columns.nose() * layers;
         let across = fill::even_cells(0.2 * self.contour.chord(), self.sizes.core);
         let found = walls.saturating_add(columns.nose().saturating_mul(across));
-        match found > problem::MOST_CELLS {
-            true => Err(vec![BladeProblem::TooManyCells { found }]),
-            false => Ok(()),
+        if found > problem::MOST_CELLS {
+            Err(vec![BladeProblem::TooManyCells { found }])
+        } else {
+            Ok(())
         }
     }
 

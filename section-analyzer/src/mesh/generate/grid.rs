@@ -80,9 +80,10 @@ impl Grid {
 
     /// The mesh, of quadrilaterals of this kind and triangles of the same order.
     pub fn mesh(mut self, kind: CellKind) -> Mesh {
-        let triangle = match kind.is_quadratic() {
-            true => CellKind::Triangle6,
-            false => CellKind::Triangle3,
+        let triangle = if kind.is_quadratic() {
+            CellKind::Triangle6
+        } else {
+            CellKind::Triangle3
         };
         let mut middle_nodes = HashMap::new();
         let lines = std::mem::take(&mut self.lines);
@@ -92,9 +93,10 @@ impl Grid {
         let mut mesh = Mesh::default();
         let owner = |groups: &GroupSet| groups.first().map_or(0, |first| first as i32 + 1);
         for (ends, groups) in lines {
-            let middle = match kind.is_quadratic() {
-                true => self.middle_node(ends, &mut middle_nodes),
-                false => 0,
+            let middle = if kind.is_quadratic() {
+                self.middle_node(ends, &mut middle_nodes)
+            } else {
+                0
             };
             let nodes = [ends[0], ends[1], middle];
             let mut line = Line::new(next(), kind.side_kind(), owner(&groups), |i| nodes[i]);

@@ -70,9 +70,10 @@ impl<'a> Builder<'a> {
         let position = self.position(node);
         let mut made = Vec::with_capacity(offsets.len());
         for offset in offsets {
-            made.push(match offset[0] == 0.0 && offset[1] == 0.0 {
-                true => node,
-                false => self.node([0, 1].map(|i| position[i] + offset[i])),
+            made.push(if offset[0] == 0.0 && offset[1] == 0.0 {
+                node
+            } else {
+                self.node([0, 1].map(|i| position[i] + offset[i]))
             });
         }
         made
@@ -113,9 +114,10 @@ impl<'a> Builder<'a> {
                 });
             }
         }
-        match problems.is_empty() {
-            true => Ok(cells),
-            false => Err(limited(problems, "lines whose laminates fold")),
+        if problems.is_empty() {
+            Ok(cells)
+        } else {
+            Err(limited(problems, "lines whose laminates fold"))
         }
     }
 
@@ -160,9 +162,12 @@ impl<'a> Builder<'a> {
         for (index, &position) in positions.iter().enumerate() {
             let key = sorted(ends[0][index], ends[1][index]);
             let known = self.middles.get(&key).copied();
-            let node = known.unwrap_or_else(|| match layers.levels[index] == 0.0 {
-                true => own,
-                false => self.node(position),
+            let node = known.unwrap_or_else(|| {
+                if layers.levels[index] == 0.0 {
+                    own
+                } else {
+                    self.node(position)
+                }
             });
             self.middles.insert(key, node);
             middles.push(node);
@@ -189,18 +194,17 @@ impl<'a> Builder<'a> {
             second[layer + 1],
             first[layer + 1],
         ];
-        let kind = match middles.is_empty() {
-            true => CellKind::Quadrilateral4,
-            false => {
-                let (below, above) = (middles[layer], middles[layer + 1]);
-                let ends = [
-                    self.between(nodes[1], nodes[2]),
-                    self.between(nodes[3], nodes[0]),
-                ];
-                let center = self.node(mean(self.position(below), self.position(above)));
-                nodes.extend([below, ends[0], above, ends[1], center]);
-                CellKind::Quadrilateral9
-            }
+        let kind = if middles.is_empty() {
+            CellKind::Quadrilateral4
+        } else {
+            let (below, above) = (middles[layer], middles[layer + 1]);
+            let ends = [
+                self.between(nodes[1], nodes[2]),
+                self.between(nodes[3], nodes[0]),
+            ];
+            let center = self.node(mean(self.position(below), self.position(above)));
+            nodes.extend([below, ends[0], above, ends[1], center]);
+            CellKind::Quadrilateral9
         };
         let lamina = &self.laminae[segment.lamina];
         let entity = self.entity.saturating_add(segment.lamina as i32);

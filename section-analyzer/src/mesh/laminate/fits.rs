@@ -161,17 +161,18 @@ pub(super) fn twice(
                 reported.push(pair);
                 let curves = pair.map(|lamina| label(mesh, laminae, lamina));
                 let position = segment.position();
-                let problem = match other.middle == segment.middle {
-                    true => LaminaProblem::Twice {
+                let problem = if other.middle == segment.middle {
+                    LaminaProblem::Twice {
                         curves,
                         line: segment.tag,
                         position,
-                    },
-                    false => LaminaProblem::SameEnds {
+                    }
+                } else {
+                    LaminaProblem::SameEnds {
                         curves,
                         lines: [other.tag, segment.tag],
                         position,
-                    },
+                    }
                 };
                 problems.push((segment.lamina, problem));
             }

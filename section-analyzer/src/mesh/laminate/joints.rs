@@ -71,9 +71,10 @@ pub(super) fn joints(
         };
         joints.push(Joint { node, meeting });
     }
-    match problems.is_empty() {
-        true => Ok(joints),
-        false => Err(limited(problems, "junctions of laminates")),
+    if problems.is_empty() {
+        Ok(joints)
+    } else {
+        Err(limited(problems, "junctions of laminates"))
     }
 }
 

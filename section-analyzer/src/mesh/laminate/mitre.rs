@@ -42,9 +42,10 @@ impl<'a> View<'a> {
         Self {
             end,
             along: (end.number == 1) == is_first,
-            tangent: match is_first {
-                true => leading(segments, end),
-                false => away(segments, end),
+            tangent: if is_first {
+                leading(segments, end)
+            } else {
+                away(segments, end)
             },
             layers: &layers[segments[end.segment].lamina],
         }
@@ -110,9 +111,10 @@ pub(super) fn join(builder: &mut Builder<'_>, joints: &[Joint]) -> Result<Vec<En
             Err(problem) => problems.push(problem),
         }
     }
-    match problems.is_empty() {
-        true => Ok(ends),
-        false => Err(limited(problems, "joints of laminates")),
+    if problems.is_empty() {
+        Ok(ends)
+    } else {
+        Err(limited(problems, "joints of laminates"))
     }
 }
 

@@ -48,9 +48,10 @@ pub(super) fn collect(
     if sides.len() == laminae.len() {
         problems.extend(fits::twice(mesh, laminae, &segments, &sides));
     }
-    match problems.is_empty() {
-        true => Ok((segments, sides)),
-        false => Err(problems),
+    if problems.is_empty() {
+        Ok((segments, sides))
+    } else {
+        Err(problems)
     }
 }
 
@@ -104,21 +105,23 @@ fn beside(mesh: &Mesh, segments: &[Segment]) -> Vec<Beside> {
         let is_counterclockwise = polygon_area(cell.corners().iter().map(corner)) > 0.0;
         for ([a, b], _) in cell.kind.sides(cell.nodes()) {
             if let Some(found) = known.get_mut(&sorted([a, b])) {
-                match (a < b) == is_counterclockwise {
-                    true => found.left += 1,
-                    false => found.right += 1,
+                if (a < b) == is_counterclockwise {
+                    found.left += 1
+                } else {
+                    found.right += 1
                 }
             }
         }
     }
     let seen = |segment: &Segment| {
         let found = known.get(&segment.key()).copied().unwrap_or_default();
-        match segment.nodes[0] < segment.nodes[1] {
-            true => found,
-            false => Beside {
+        if segment.nodes[0] < segment.nodes[1] {
+            found
+        } else {
+            Beside {
                 left: found.right,
                 right: found.left,
-            },
+            }
         }
     };
     segments.iter().map(seen).collect()

@@ -65,9 +65,10 @@ fn near(
     if !steps(&one, &other, [a, b]) {
         return Vec::new();
     }
-    let (kept, (moved, lamina)) = match a < b {
-        true => (&one, (&other, b)),
-        false => (&other, (&one, a)),
+    let (kept, (moved, lamina)) = if a < b {
+        (&one, (&other, b))
+    } else {
+        (&other, (&one, a))
     };
     let own = &layers[lamina];
     let tolerance = NEAR * layers[a].thickness().max(layers[b].thickness());

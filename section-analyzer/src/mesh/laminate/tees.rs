@@ -65,9 +65,10 @@ pub(super) fn open(
             }
         }
     }
-    match problems.is_empty() {
-        true => Ok(landings),
-        false => Err(limited(problems, "junctions of laminates")),
+    if problems.is_empty() {
+        Ok(landings)
+    } else {
+        Err(limited(problems, "junctions of laminates"))
     }
 }
 
@@ -213,9 +214,10 @@ impl Tee {
         let z = plane_of(mesh, segments);
         let mut nodes = Vec::with_capacity(self.marks.len());
         for &mark in &self.marks {
-            nodes.push(match mark == 0.0 {
-                true => self.node,
-                false => new_node(mesh, z, self.at(mark)),
+            nodes.push(if mark == 0.0 {
+                self.node
+            } else {
+                new_node(mesh, z, self.at(mark))
             });
         }
         for ((end, taken), node) in [(before, nodes[0]), (behind, nodes[nodes.len() - 1])] {

@@ -50,23 +50,26 @@ pub(super) fn more(count: usize) -> String {
 }
 
 pub(super) fn order(has_middle: bool) -> &'static str {
-    match has_middle {
-        true => "has a node in its middle that the side of the cell there does not have",
-        false => "lacks the node in its middle that the side of the cell there has",
+    if has_middle {
+        "has a node in its middle that the side of the cell there does not have"
+    } else {
+        "lacks the node in its middle that the side of the cell there has"
     }
 }
 
 pub(super) fn both([one, other]: &[String; 2]) -> String {
-    match one == other {
-        true => format!("curve \"{one}\""),
-        false => format!("curves \"{one}\" and \"{other}\""),
+    if one == other {
+        format!("curve \"{one}\"")
+    } else {
+        format!("curves \"{one}\" and \"{other}\"")
     }
 }
 
 pub(super) fn twice([one, other]: &[String; 2]) -> String {
-    match one == other {
-        true => format!("curve \"{one}\" has two laminates"),
-        false => format!("curves \"{one}\" and \"{other}\" both have a laminate"),
+    if one == other {
+        format!("curve \"{one}\" has two laminates")
+    } else {
+        format!("curves \"{one}\" and \"{other}\" both have a laminate")
     }
 }
 

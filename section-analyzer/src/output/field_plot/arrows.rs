@@ -61,9 +61,10 @@ fn mean_vector(near: &BySquare<Sample>, position: [f64; 2]) -> [f64; 2] {
             area += sample.area;
         }
     }
-    match sum[0].hypot(sum[1]) > COHERENT * length {
-        true => sum.map(|part| part / area),
-        false => [0.0; 2],
+    if sum[0].hypot(sum[1]) > COHERENT * length {
+        sum.map(|part| part / area)
+    } else {
+        [0.0; 2]
     }
 }
 

@@ -94,9 +94,10 @@ impl Field {
         let values = &self.values[cell];
         let mesh = &section.mesh;
         let cell = &mesh.cells[cell];
-        match values.iter().any(|value| *value != values[0]) {
-            true => mesh.nodes[cell.nodes()[local] as usize],
-            false => mesh.middle(cell),
+        if values.iter().any(|value| *value != values[0]) {
+            mesh.nodes[cell.nodes()[local] as usize]
+        } else {
+            mesh.middle(cell)
         }
     }
 }

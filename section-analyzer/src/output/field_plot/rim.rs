@@ -152,8 +152,9 @@ fn miter(own: [f64; 2], shared: [f64; 2]) -> [f64; 2] {
 
 fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     let length = x.hypot(y);
-    match length > 0.0 {
-        true => [x / length, y / length],
-        false => [0.0; 2],
+    if length > 0.0 {
+        [x / length, y / length]
+    } else {
+        [0.0; 2]
     }
 }

@@ -28,9 +28,10 @@ impl Sample {
         let areas = [doubled(b, c), doubled(c, a), doubled(a, b)];
         let whole: f64 = areas.iter().sum();
         let weights = areas.map(|area| area / whole);
-        let (position, weights) = match weights.iter().all(|weight| *weight >= 0.0) {
-            true => (wanted, weights),
-            false => (mean, [1.0 / 3.0; 3]),
+        let (position, weights) = if weights.iter().all(|weight| *weight >= 0.0) {
+            (wanted, weights)
+        } else {
+            (mean, [1.0 / 3.0; 3])
         };
         let sum = |axis: usize| (0..3).map(|k| weights[k] * vectors[k][axis]).sum();
         Self {

@@ -62,9 +62,10 @@ impl Scale {
     /// A scale for values between these ends; all below `negligible` are zero.
     pub fn new(quantity: Quantity, [lowest, highest]: [f64; 2], negligible: f64) -> Self {
         let largest = lowest.abs().max(highest.abs());
-        let (low, high) = match largest > negligible {
-            true => (lowest.min(0.0), highest.max(0.0)),
-            false => (0.0, 0.0),
+        let (low, high) = if largest > negligible {
+            (lowest.min(0.0), highest.max(0.0))
+        } else {
+            (0.0, 0.0)
         };
         let of = |units: [(f64, f64, &'static str); 4]| {
             let mut known = units.into_iter();
@@ -137,9 +138,10 @@ impl Scale {
 
     /// The value in four digits with its unit; round-off of the largest is zero.
     pub fn shown(&self, value: f64) -> String {
-        let value = match value.abs() > NOISE * self.largest() {
-            true => value,
-            false => 0.0,
+        let value = if value.abs() > NOISE * self.largest() {
+            value
+        } else {
+            0.0
         };
         let value: f64 = format!("{:.3e}", value / self.factor)
             .parse()
@@ -153,16 +155,16 @@ impl Scale {
 
     /// The text for a field without extremes; `is_whole` if all cells have a value.
     pub fn uniform_words(&self, is_whole: bool) -> String {
-        let position = match is_whole {
-            true => "in the whole section",
-            false => "where it is not white",
+        let position = if is_whole {
+            "in the whole section"
+        } else {
+            "where it is not white"
         };
-        match self.is_zero() {
-            true => format!("zero {position}, up to round-off"),
-            false => {
-                let value = if self.high > 0.0 { self.high } else { self.low };
-                format!("{} {position}", self.shown(value))
-            }
+        if self.is_zero() {
+            format!("zero {position}, up to round-off")
+        } else {
+            let value = if self.high > 0.0 { self.high } else { self.low };
+            format!("{} {position}", self.shown(value))
         }
     }
 

@@ -35,10 +35,7 @@ impl Entries {
         unit: &'static str,
         scale: f64,
     ) {
-        let relative = match a == b {
-            true => 0.0,
-            false => (b - a) / scale,
-        };
+        let relative = if a == b { 0.0 } else { (b - a) / scale };
         self.found.push(Entry {
             part,
             name,
@@ -67,9 +64,8 @@ impl Entries {
     /// (B - A)_ij / sqrt(s_i s_j)      s_i = A_ii, or B_ii where A_ii is zero
     /// ```
     pub fn matrix(&mut self, part: Part, a: &Matrix6<f64>, b: &Matrix6<f64>) -> Matrix6<f64> {
-        let scale = a.diagonal().zip_map(&b.diagonal(), |a, b| match a > 0.0 {
-            true => a.sqrt(),
-            false => b.abs().sqrt(),
+        let scale = a.diagonal().zip_map(&b.diagonal(), |a, b| {
+            if a > 0.0 { a.sqrt() } else { b.abs().sqrt() }
         });
         let first = self.found.len();
         for i in 0..6 {
@@ -140,9 +136,10 @@ impl Entries {
             self.add(Part::Principal, name, [a[axis], b[axis]], unit, scale);
         }
         let largest = a[0].abs().max(a[1].abs());
-        let anisotropy = match largest > 0.0 {
-            true => (a[0] - a[1]).abs() / largest,
-            false => 0.0,
+        let anisotropy = if largest > 0.0 {
+            (a[0] - a[1]).abs() / largest
+        } else {
+            0.0
         };
         self.found.push(Entry {
             part: Part::Principal,
@@ -161,13 +158,15 @@ fn nearest(reference: f64, (angle, values): (f64, [f64; 2])) -> (f64, [f64; 2]) 
     let quarters = ((angle - reference) / FRAC_PI_2).round();
     let exchanged = quarters.rem_euclid(2.0) == 1.0;
     // Computed from the direction, since a sum of quarter turns has round-off.
-    let angle = match exchanged {
-        true => reference + half_turn(angle - FRAC_PI_2 - reference),
-        false => reference + half_turn(angle - reference),
+    let angle = if exchanged {
+        reference + half_turn(angle - FRAC_PI_2 - reference)
+    } else {
+        reference + half_turn(angle - reference)
     };
-    let values = match exchanged {
-        true => [values[1], values[0]],
-        false => values,
+    let values = if exchanged {
+        [values[1], values[0]]
+    } else {
+        values
     };
     (angle, values)
 }

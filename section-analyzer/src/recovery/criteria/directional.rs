@@ -12,9 +12,12 @@ use nalgebra::Vector6;
 
 /// Index of a stress or strain in material axes, order 11 22 33 23 13 12.
 pub(super) fn index(limits: &DirectionalLimits, s: &Vector6<f64>) -> Verdict {
-    let normal = (0..3).map(|axis| match s[axis] >= 0.0 {
-        true => (s[axis] / limits.tension[axis], Mode::Tension(axis)),
-        false => (-s[axis] / limits.compression[axis], Mode::Compression(axis)),
+    let normal = (0..3).map(|axis| {
+        if s[axis] >= 0.0 {
+            (s[axis] / limits.tension[axis], Mode::Tension(axis))
+        } else {
+            (-s[axis] / limits.compression[axis], Mode::Compression(axis))
+        }
     });
     let shear = (0..3).map(|pair| (s[3 + pair].abs() / limits.shear[pair], Mode::Shear(pair)));
     worst_linear(normal.chain(shear))

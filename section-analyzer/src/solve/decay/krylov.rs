@@ -69,10 +69,7 @@ impl Space {
             let is_inside = rest <= INSIDE * size;
             self.projected[(known + j, first + j)] = if is_inside { 0.0 } else { rest };
             left += usize::from(!is_inside);
-            let column = match is_inside {
-                true => self.fresh(),
-                false => column,
-            };
+            let column = if is_inside { self.fresh() } else { column };
             self.basis.push(column);
         }
         self.dimension = known;

@@ -192,15 +192,16 @@ impl<'a> FailureContext<'a> {
             motion.velocity.norm()
         );
         let feedback = self.feedback();
-        Some(match feedback.is_empty() {
-            true => Cause::new(
+        Some(if feedback.is_empty() {
+            Cause::new(
                 words + "; it is driven and not restrained",
                 &[
                     "look for a law, a damper or a drive of the wrong sign, and for a missing \
                      support or a missing end of a load: shorter steps do not help",
                 ],
-            ),
-            false => Cause::new(
+            )
+        } else {
+            Cause::new(
                 format!(
                     "{words}; {} acts on sensed quantities and feeds the motion",
                     quoted(&feedback)
@@ -209,7 +210,7 @@ impl<'a> FailureContext<'a> {
                     "check the sign and the gain of the drive with the sensor, and bound it by \
                      min() and max(): shorter steps do not help",
                 ],
-            ),
+            )
         })
     }
 
@@ -229,9 +230,10 @@ impl<'a> FailureContext<'a> {
             );
         };
         if let Some(why) = why {
-            let remedy = match element.drives().is_empty() && !element.senses() {
-                true => "end the run before",
-                false => "bound its drive by min() and max(), or end the run before",
+            let remedy = if element.drives().is_empty() && !element.senses() {
+                "end the run before"
+            } else {
+                "bound its drive by min() and max(), or end the run before"
             };
             return Cause::new(
                 format!("\"{}\" has no value: {why}", element.label()),
@@ -307,9 +309,10 @@ impl<'a> FailureContext<'a> {
             );
         }
         let feedback = self.feedback();
-        let who = match feedback.is_empty() {
-            true => String::new(),
-            false => format!(": {} acts on sensed quantities", quoted(&feedback)),
+        let who = if feedback.is_empty() {
+            String::new()
+        } else {
+            format!(": {} acts on sensed quantities", quoted(&feedback))
         };
         Cause {
             words: format!(
@@ -437,12 +440,13 @@ impl<'a> FailureContext<'a> {
 
     fn or_feedback(&self) -> String {
         let feedback = self.feedback();
-        match feedback.is_empty() {
-            true => String::new(),
-            false => format!(
+        if feedback.is_empty() {
+            String::new()
+        } else {
+            format!(
                 "; or it comes from {}, acting on sensed quantities",
                 quoted(&feedback)
-            ),
+            )
         }
     }
 }

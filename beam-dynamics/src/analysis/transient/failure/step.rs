@@ -36,13 +36,14 @@ impl fmt::Display for StepTrouble {
             write!(f, "; on the node act {}", quoted(&self.acting))?;
         }
         write!(f, "\n  likely cause: {}", self.cause)?;
-        match self.history.is_empty() {
-            true => Ok(()),
-            false => write!(
+        if self.history.is_empty() {
+            Ok(())
+        } else {
+            write!(
                 f,
                 "\n  iterations, each with residual by scale and correction: {}",
                 self.history
-            ),
+            )
         }
     }
 }

@@ -222,9 +222,10 @@ fn wheels_follow_angles_and_speeds() {
         let axes = Matrix3::from_columns(&[Vector3::z(), Vector3::x(), Vector3::y()]);
         let at = Placing::at(&Vector3::zeros(), &axes);
         let follows = signal("a", &[&position]);
-        let turning = match by_speed {
-            true => Turning::Speed(follows),
-            false => Turning::Angle(follows),
+        let turning = if by_speed {
+            Turning::Speed(follows)
+        } else {
+            Turning::Angle(follows)
         };
         let joint = ConstraintJoint::revolute("bearing", &ends, &at, Some(turning));
         let elements = vec![
@@ -235,14 +236,13 @@ fn wheels_follow_angles_and_speeds() {
         let model = Model::new("wheel", System::new(nodes, elements));
         let found = states(&model, &exact_to_order_two(0.5, 1e-3));
         let last = &found[found.len() - 1];
-        match by_speed {
-            true => assert!((last.nodes[0].angular_velocity.z - 4.0).abs() < 1e-6),
-            false => {
-                let turn = last.nodes[0].rotation;
-                assert!(
-                    (turn[(1, 0)].atan2(turn[(0, 0)]) - (4.0 - std::f64::consts::TAU)).abs() < 1e-6
-                );
-            }
+        if by_speed {
+            assert!((last.nodes[0].angular_velocity.z - 4.0).abs() < 1e-6)
+        } else {
+            let turn = last.nodes[0].rotation;
+            assert!(
+                (turn[(1, 0)].atan2(turn[(0, 0)]) - (4.0 - std::f64::consts::TAU)).abs() < 1e-6
+            );
         }
     }
 }

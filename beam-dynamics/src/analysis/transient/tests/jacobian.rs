@@ -54,9 +54,10 @@ fn error(model: &Model) -> f64 {
     let largest = matrix.values().iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut worst = 0.0_f64;
     for column in 0..count {
-        let [by_unknown, by_rate] = match dae.algebraic()[column] {
-            true => [1.0, 0.0],
-            false => [a, b],
+        let [by_unknown, by_rate] = if dae.algebraic()[column] {
+            [1.0, 0.0]
+        } else {
+            [a, b]
         };
         let mut at = |step: f64| {
             let (mut y, mut rates) = (y.clone(), rates.clone());

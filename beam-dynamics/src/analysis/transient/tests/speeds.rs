@@ -140,30 +140,27 @@ fn wound(is_hinge: bool, speed: f64) -> Model {
         body(1, 1.0, Vector3::zeros(), [1.0; 3]),
     ];
     let ends = [(0, &nodes[0]), (1, &nodes[1])];
-    match is_hinge {
-        true => {
-            let spring = HingeSpring {
-                stiffness: 0.1,
-                ..HingeSpring::default()
-            };
-            let positions = ends.map(|end| end.0);
-            let on = ends.map(|end| end.1);
-            let hinge = Hinge::new(
-                "coil",
-                positions,
-                on,
-                &Vector3::zeros(),
-                &Vector3::z(),
-                spring,
-            );
-            elements.push(Box::new(hinge));
-        }
-        false => {
-            let law = SpringLaw::of_rotation(Law::linear(0.1 * Matrix3::identity()));
-            let axes = Matrix3::identity();
-            let spring = Spring::new("coil", (&[1], &nodes), &Vector3::zeros(), &axes, law);
-            elements.push(Box::new(spring));
-        }
+    if is_hinge {
+        let spring = HingeSpring {
+            stiffness: 0.1,
+            ..HingeSpring::default()
+        };
+        let positions = ends.map(|end| end.0);
+        let on = ends.map(|end| end.1);
+        let hinge = Hinge::new(
+            "coil",
+            positions,
+            on,
+            &Vector3::zeros(),
+            &Vector3::z(),
+            spring,
+        );
+        elements.push(Box::new(hinge));
+    } else {
+        let law = SpringLaw::of_rotation(Law::linear(0.1 * Matrix3::identity()));
+        let axes = Matrix3::identity();
+        let spring = Spring::new("coil", (&[1], &nodes), &Vector3::zeros(), &axes, law);
+        elements.push(Box::new(spring));
     }
     let mut model = Model::new("coil", System::new(nodes, elements));
     model.initial[1] = moving(Vector3::zeros(), speed * Vector3::z());

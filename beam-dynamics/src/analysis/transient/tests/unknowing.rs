@@ -112,9 +112,10 @@ fn on_pivot(turning: Option<Turning>, is_known: bool) -> Model {
     };
     let placing = Placing::at(&Vector3::zeros(), &axes_along(&Vector3::z()));
     let pivot = ConstraintJoint::revolute("pivot", &ends, &placing, turning);
-    let pivot: Box<dyn Element> = match is_known {
-        true => Box::new(pivot),
-        false => Box::new(Unknowing(pivot)),
+    let pivot: Box<dyn Element> = if is_known {
+        Box::new(pivot)
+    } else {
+        Box::new(Unknowing(pivot))
     };
     let elements = vec![body(0, 1.0, Vector3::zeros(), [0.0; 3]), pivot];
     let mut model = Model::new("pendulum", System::new(nodes, elements));

@@ -35,9 +35,10 @@ impl Beam {
     ) -> At {
         let point = &self.points[index];
         let kinematics = nodal.at(&point.shape, point.reference.j0);
-        let rate = match point.law.is_viscous() {
-            true => self.strain_point(index, nodal).rate(at.nodes),
-            false => Vector6::zeros(),
+        let rate = if point.law.is_viscous() {
+            self.strain_point(index, nodal).rate(at.nodes)
+        } else {
+            Vector6::zeros()
         };
         let mut found = At {
             now: point.reference.strain(&kinematics),

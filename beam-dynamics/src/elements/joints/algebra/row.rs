@@ -109,9 +109,10 @@ impl Row {
             }
             // The form has no value at zero length.
             Held::Distance => Form::Distance {
-                length: match target.value > 0.0 {
-                    true => target.value,
-                    false => f64::NAN,
+                length: if target.value > 0.0 {
+                    target.value
+                } else {
+                    f64::NAN
                 },
             },
             Held::AngularVelocity(carrier, i) => Form::AngularVelocity {
@@ -145,9 +146,10 @@ impl RowAtState<'_> {
     }
 
     fn value(&self) -> f64 {
-        let value = match self.of_rates {
-            true => sum_of_products(&self.form.gradient(self.ends()), &self.ends().rates()),
-            false => self.form.value(self.ends()),
+        let value = if self.of_rates {
+            sum_of_products(&self.form.gradient(self.ends()), &self.ends().rates())
+        } else {
+            self.form.value(self.ends())
         };
         match self.form {
             Form::Distance { .. } => value,
@@ -273,8 +275,9 @@ impl RowAtState<'_> {
 
 /// Equation, variable and rate of a part.
 fn names(part: Part) -> (Equation, Variable, Variable) {
-    match part.is_turn() {
-        true => (Moment, Variable::Rotation, Variable::AngularVelocity),
-        false => (Force, Variable::Position, Variable::Velocity),
+    if part.is_turn() {
+        (Moment, Variable::Rotation, Variable::AngularVelocity)
+    } else {
+        (Force, Variable::Position, Variable::Velocity)
     }
 }

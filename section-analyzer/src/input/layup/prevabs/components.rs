@@ -324,9 +324,10 @@ fn range(at: Element<'_>, is_closed: bool, notes: &mut Notes) -> Option<[f64; 2]
     if found.is_none() {
         let text = |name: &str| at.attribute(name).unwrap_or("absent");
         let shown = format!("begin {}, end {}", text("begin"), text("end"));
-        let expected = match is_closed {
-            true => "begin before end, at most 1 apart",
-            false => "0 <= begin < end <= 1",
+        let expected = if is_closed {
+            "begin before end, at most 1 apart"
+        } else {
+            "0 <= begin < end <= 1"
         };
         let help = "parts of the length of the base line";
         notes.wrong(at, ["the range of a layup", &shown, expected, help]);

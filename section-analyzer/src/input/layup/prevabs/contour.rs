@@ -108,9 +108,10 @@ fn looped(segments: &[&Segment<'_>], chain: &[(usize, bool)], is_divided: bool) 
         pieces.push((*i, *is_back, points.len()));
         for pair in own.windows(2) {
             let length = distance(pair[0], pair[1]);
-            let count = match is_divided && length > long * part {
-                true => (length / part).ceil(),
-                false => 1.0,
+            let count = if is_divided && length > long * part {
+                (length / part).ceil()
+            } else {
+                1.0
             };
             points.extend((0..count as usize).map(|k| {
                 let at = k as f64 / count;
@@ -180,9 +181,10 @@ fn inward(segments: &[&Segment<'_>], chain: &[(usize, bool)], notes: &mut Notes)
     let mut is_fine = true;
     for (i, is_back) in chain {
         let segment = segments[*i];
-        let (inner, word) = match is_back {
-            true => (Side::Left, "left"),
-            false => (Side::Right, "right"),
+        let (inner, word) = if is_back {
+            (Side::Left, "left")
+        } else {
+            (Side::Right, "right")
         };
         let what = format!("the layup of {}", segment.element.shown());
         if segment.side != inner {

@@ -216,9 +216,10 @@ impl Files {
             }
             notes.problems.turn_to(path);
             let what = format!("<{}> of <include>", include.name());
-            let read = match notes.problems.finds(&file, &what, &name, include.line()) {
-                true => notes.problems.keep(read_text(&file)),
-                false => None,
+            let read = if notes.problems.finds(&file, &what, &name, include.line()) {
+                notes.problems.keep(read_text(&file))
+            } else {
+                None
             };
             match read {
                 Some(text) => all.push((file, text, *content)),
@@ -285,9 +286,12 @@ fn parsed<'t>(text: &'t str, path: &Path, notes: &mut Notes) -> Option<Document<
 
 /// The elements of a name in files of their own and in the main file.
 pub(super) fn parts<'x>(all: &[Element<'x>], name: &str) -> Vec<Element<'x>> {
-    let of = |root: &Element<'x>| match root.name() == name {
-        true => vec![*root],
-        false => root.named(name).collect(),
+    let of = |root: &Element<'x>| {
+        if root.name() == name {
+            vec![*root]
+        } else {
+            root.named(name).collect()
+        }
     };
     all.iter().flat_map(of).collect()
 }

@@ -206,9 +206,10 @@ impl<'x> Geometry<'x> {
     fn enter(&mut self, name: &str, at: Element<'_>, notes: &mut Notes) -> Option<()> {
         let is_circle = self.path.iter().any(|known| known == name);
         if is_circle || self.path.len() >= DEEPEST {
-            let found = match is_circle {
-                true => format!("{} -> {name}", self.path.join(" -> ")),
-                false => format!("more than {DEEPEST} names that refer to each other"),
+            let found = if is_circle {
+                format!("{} -> {name}", self.path.join(" -> "))
+            } else {
+                format!("more than {DEEPEST} names that refer to each other")
             };
             let help = "define one of them by coordinates";
             let what = "points and base lines";
@@ -373,9 +374,10 @@ fn points_of_file<'x>(
     let is_there = notes
         .problems
         .finds(&file, "the file of points", name, at.line());
-    let text = match is_there {
-        true => notes.problems.keep(read_text(&file)),
-        false => None,
+    let text = if is_there {
+        notes.problems.keep(read_text(&file))
+    } else {
+        None
     };
     let mut points = Vec::new();
     for line in rows(text.as_deref().unwrap_or_default()) {

@@ -296,9 +296,10 @@ fn rule_of(element: Element<'_>) -> Option<&'static Rule> {
 
 /// Notes an element or attribute that is not known.
 fn refuse_name(at: Element<'_>, [what, found]: [&str; 2], known: &[&str], notes: &mut Notes) {
-    let expected = match known.is_empty() {
-        true => "none".to_owned(),
-        false => format!("one of {}", known.join(", ")),
+    let expected = if known.is_empty() {
+        "none".to_owned()
+    } else {
+        format!("one of {}", known.join(", "))
     };
     let help = "remove it, or correct its name; see the page on layups of PreVABS";
     notes.wrong(at, [what, found, &expected, help]);

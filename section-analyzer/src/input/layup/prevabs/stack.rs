@@ -30,9 +30,10 @@ pub(super) fn layers(segments: &[&Segment<'_>], pieces: &[Piece]) -> Vec<Written
                 line: segment.element.line(),
             };
             let is_all = row.iter().all(Option::is_some);
-            let arcs = match is_all {
-                true => [0.0, 1.0],
-                false => [piece.arcs[0], pieces[last].arcs[1]],
+            let arcs = if is_all {
+                [0.0, 1.0]
+            } else {
+                [piece.arcs[0], pieces[last].arcs[1]]
             };
             layers.extend(layer.written(arcs));
         }
@@ -148,9 +149,10 @@ fn common(known: &[&Ply], own: &[Ply]) -> Vec<(usize, usize)> {
     let mut longest = vec![vec![0_u32; own.len() + 1]; known.len() + 1];
     for i in (0..known.len()).rev() {
         for j in (0..own.len()).rev() {
-            longest[i][j] = match is_same(known[i], &own[j]) {
-                true => longest[i + 1][j + 1] + 1,
-                false => longest[i + 1][j].max(longest[i][j + 1]),
+            longest[i][j] = if is_same(known[i], &own[j]) {
+                longest[i + 1][j + 1] + 1
+            } else {
+                longest[i + 1][j].max(longest[i][j + 1])
             };
         }
     }

@@ -80,9 +80,10 @@ fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Op
     let density = required(node, &of, "rho", notes).and_then(|at| values::<1>(at, &of, notes));
     let is_orthotropic = matches!(node.entry("E").map(|e| &e.value), Some(Value::List(_)));
     let mut text = format!("\n[material.{name:?}]\n");
-    let law = match is_orthotropic {
-        true => orthotropic(node, &of, treatment, notes),
-        false => isotropic(node, &of, treatment, notes),
+    let law = if is_orthotropic {
+        orthotropic(node, &of, treatment, notes)
+    } else {
+        isotropic(node, &of, treatment, notes)
     };
     text += &law?;
     // writing to a string cannot fail

@@ -100,9 +100,10 @@ impl Contour {
         let position = |[x, z]: [f64; 2]| [(origin - x) * chord, z * chord];
         let mut positions: Vec<[f64; 2]> = points.iter().map(|point| position(*point)).collect();
         let last = positions.len() - 1;
-        let mut edge = match distance(positions[0], positions[last]) > SAME * chord {
-            true => Edge::Blunt,
-            false => Edge::Sharp,
+        let mut edge = if distance(positions[0], positions[last]) > SAME * chord {
+            Edge::Blunt
+        } else {
+            Edge::Sharp
         };
         if edge == Edge::Sharp {
             let middle = [0, 1].map(|i| 0.5 * (positions[0][i] + positions[last][i]));
@@ -390,8 +391,9 @@ fn check(points: &[[f64; 2]]) -> Result<(), Vec<BladeProblem>> {
     if area <= 0.0 {
         problems.push(BladeProblem::LowerFirst);
     }
-    match problems.is_empty() {
-        true => Ok(()),
-        false => Err(problems),
+    if problems.is_empty() {
+        Ok(())
+    } else {
+        Err(problems)
     }
 }

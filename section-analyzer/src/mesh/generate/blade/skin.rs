@@ -187,12 +187,15 @@ fn closing(
         // right of the upward direction
         inward: [(upper[1] - lower[1]) / width, (lower[0] - upper[0]) / width],
     };
-    let spots = depths.iter().map(|&depth| match is_blunt {
-        true => Some([
-            contour.meet(Half::Upper, depth, line, depth)?,
-            contour.meet(Half::Lower, depth, line, depth)?,
-        ]),
-        false => contour.meet_other(depth),
+    let spots = depths.iter().map(|&depth| {
+        if is_blunt {
+            Some([
+                contour.meet(Half::Upper, depth, line, depth)?,
+                contour.meet(Half::Lower, depth, line, depth)?,
+            ])
+        } else {
+            contour.meet_other(depth)
+        }
     });
     let spots: Option<Vec<[f64; 2]>> = spots.collect();
     let spots = spots.ok_or_else(too_thick)?;
@@ -202,10 +205,8 @@ fn closing(
         let own: Vec<f64> = spots.iter().map(|spot| spot[half as usize]).collect();
         (Shift::new(at[half as usize], &own, space), space)
     });
-    if shifts
-        .iter()
-        .all(|(shift, space)| shift.most() <= FULL * space)
-    {
+    let fits = |(shift, space): &(Shift, f64)| shift.most() <= FULL * space;
+    if shifts.iter().all(fits) {
         return Ok(shifts.map(|(shift, _)| shift));
     }
     Err(match &blade.spar {

@@ -263,9 +263,10 @@ impl Making<'_> {
         // the outer face is the inner face of the skin
         positions[0] = at;
         let shift = Shift::new(at, &positions, USABLE * space);
-        match shift.most() > MOST * space {
-            true => Err(thick(shift.most())),
-            false => Ok(shift),
+        if shift.most() > MOST * space {
+            Err(thick(shift.most()))
+        } else {
+            Ok(shift)
         }
     }
 
@@ -375,9 +376,10 @@ impl Making<'_> {
             found.into_iter().map(|(_, node)| node).collect()
         };
         let inner = Half::BOTH.map(on);
-        let front = match self.webs.len() > 1 {
-            true => of_web(1, last),
-            false => inner[0].last().copied().into_iter().collect(),
+        let front = if self.webs.len() > 1 {
+            of_web(1, last)
+        } else {
+            inner[0].last().copied().into_iter().collect()
         };
         Inside {
             inner,

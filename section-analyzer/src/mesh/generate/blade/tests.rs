@@ -142,9 +142,10 @@ fn the_skin_has_the_area_of_a_strip_with_mitred_corners() {
         let slope = (points[0][1] - points[1][1]).atan2(points[0][0] - points[1][0]);
         // direction into the trailing edge on the upper surface, relative to the chord
         let dip = PI - slope.abs();
-        let turns = match is_sharp {
-            true => vec![PI - 2.0 * dip],
-            false => vec![0.5 * PI - dip; 2],
+        let turns = if is_sharp {
+            vec![PI - 2.0 * dip]
+        } else {
+            vec![0.5 * PI - dip; 2]
         };
         assert!(distance(points[0], points[last]) < 1e-9 || !is_sharp);
         let corners: f64 = turns

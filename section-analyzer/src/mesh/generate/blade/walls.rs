@@ -67,9 +67,10 @@ impl Shift {
     /// Shift of a level at a position of the contour.
     fn of(&self, level: usize, u: f64) -> f64 {
         let away = (u - self.at).abs();
-        match away < self.reach {
-            true => self.by[level] * (1.0 - away / self.reach),
-            false => 0.0,
+        if away < self.reach {
+            self.by[level] * (1.0 - away / self.reach)
+        } else {
+            0.0
         }
     }
 }

@@ -148,12 +148,11 @@ fn middles(wall: &Wall, rows: &[Row], grid: &mut Grid) {
     for level in 0..levels {
         let depth = a.column.depths[level] + b.column.depths[level];
         let (middle, length) = chord(level);
-        let position = match is_contact {
-            true => {
-                let fade = 1.0 - depth / whole;
-                [0, 1].map(|i| middle[i] + fade * bulge[i])
-            }
-            false => between.at(0.5 * depth),
+        let position = if is_contact {
+            let fade = 1.0 - depth / whole;
+            [0, 1].map(|i| middle[i] + fade * bulge[i])
+        } else {
+            between.at(0.5 * depth)
         };
         if distance(position, middle) > CURVED * length {
             return;

@@ -97,9 +97,10 @@ pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mi
 /// The part of the way to the next corner that is of a corner: half of it, or in proportion to the
 /// lengths that both take if half is too little for one.
 fn room(way: f64, own: f64, other: f64) -> f64 {
-    match own.max(other) <= 0.5 * MOST_OF_WAY * way {
-        true => 0.5 * way,
-        false => way * own / (own + other).max(f64::MIN_POSITIVE),
+    if own.max(other) <= 0.5 * MOST_OF_WAY * way {
+        0.5 * way
+    } else {
+        way * own / (own + other).max(f64::MIN_POSITIVE)
     }
 }
 
@@ -114,9 +115,10 @@ impl Fade {
             let (last, x) = (lean[i], step * (i as f64 + 0.5));
             let (thickness, bend) = surface(x);
             // leans toward the corner spread when they fade
-            let q = match tangent > 0.0 {
-                true => 1.0 - bend * thickness * (1.0 + last * last),
-                false => 1.0,
+            let q = if tangent > 0.0 {
+                1.0 - bend * thickness * (1.0 + last * last)
+            } else {
+                1.0
             };
             let rate = if q > 0.0 { part * q } else { (2.0 - part) * q };
             let next = last.abs() - rate * step / thickness.max(1e-9 * step);
@@ -152,9 +154,10 @@ impl Mitre {
     pub fn part(&self, s: f64) -> Option<f64> {
         let turned = s - self.s;
         let x = turned - self.perimeter * (turned / self.perimeter).round();
-        match x < 0.0 || (x == 0.0 && self.is_last) {
-            true => self.fades[0].at(-x).map(|lean| -lean),
-            false => self.fades[1].at(x),
+        if x < 0.0 || (x == 0.0 && self.is_last) {
+            self.fades[0].at(-x).map(|lean| -lean)
+        } else {
+            self.fades[1].at(x)
         }
     }
 

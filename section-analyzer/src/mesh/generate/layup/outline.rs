@@ -239,9 +239,10 @@ impl Outline {
         }
         // round-off must not lead over a corner
         for corner in &self.corners {
-            u = match s >= corner.s {
-                true => u.max(corner.u),
-                false => u.min(corner.u.next_down()),
+            u = if s >= corner.s {
+                u.max(corner.u)
+            } else {
+                u.min(corner.u.next_down())
             };
         }
         u

@@ -158,9 +158,10 @@ impl Pairs {
             let next = meets(at(i));
             if last != next {
                 let fork = bisect([at(i - 1), at(i)], last, meets);
-                match next {
-                    true => found.push([fork, fork]),
-                    false => found.last_mut().into_iter().for_each(|one| one[1] = fork),
+                if next {
+                    found.push([fork, fork])
+                } else {
+                    found.last_mut().into_iter().for_each(|one| one[1] = fork)
                 }
             }
             last = next;

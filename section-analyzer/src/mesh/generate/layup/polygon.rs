@@ -48,9 +48,10 @@ pub(super) fn is_smooth(points: &[[f64; 2]], is_closed: bool) -> bool {
     };
     let [first, end] = [line(0, 1), line(last - 1, last)];
     let base = line(last, 0);
-    let turns = match is_closed {
-        true => [angle(end, first).abs(), f64::INFINITY],
-        false => [angle(end, base).abs(), angle(base, first).abs()],
+    let turns = if is_closed {
+        [angle(end, first).abs(), f64::INFINITY]
+    } else {
+        [angle(end, base).abs(), angle(base, first).abs()]
     };
     let turn = if is_closed {
         turns[0]

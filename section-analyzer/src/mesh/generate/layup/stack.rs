@@ -69,9 +69,10 @@ impl Stack {
         let margin = AT_EDGE * perimeter;
         for (index, layer) in layers.iter().enumerate() {
             let [from, to] = [layer.from, layer.to].map(|arc| arc * perimeter);
-            let (low, high) = match is_ring {
-                true => (margin, perimeter - margin),
-                false => (edges[0] + margin, edges[1] - margin),
+            let (low, high) = if is_ring {
+                (margin, perimeter - margin)
+            } else {
+                (edges[0] + margin, edges[1] - margin)
             };
             let reaches = [from < low, to > high];
             if reaches[0] && reaches[1] {
@@ -121,15 +122,14 @@ impl Stack {
     /// Thickness of a layer at an arc length.
     pub fn thickness(&self, layer: usize, s: f64) -> f64 {
         let course = &self.courses[layer];
-        let part = match self.is_ring {
-            false => course.part(s),
-            true => {
-                let turns = [s, s + self.perimeter, s - self.perimeter];
-                turns
-                    .into_iter()
-                    .map(|s| course.part(s))
-                    .fold(0.0, f64::max)
-            }
+        let part = if self.is_ring {
+            let turns = [s, s + self.perimeter, s - self.perimeter];
+            turns
+                .into_iter()
+                .map(|s| course.part(s))
+                .fold(0.0, f64::max)
+        } else {
+            course.part(s)
         };
         if part < ABSENT {
             0.0

@@ -179,9 +179,10 @@ fn thinned(mut marks: Vec<Mark>, near: f64) -> Vec<Mark> {
     let mut kept: Vec<Mark> = Vec::new();
     for mark in marks {
         let last = kept.last().map_or(f64::NEG_INFINITY, |last| last.at);
-        let is_apart = match mark.is_fixed {
-            true => mark.at - last > 1e-10,
-            false => mark.at - last > near && fixed.iter().all(|at| (at - mark.at).abs() > near),
+        let is_apart = if mark.is_fixed {
+            mark.at - last > 1e-10
+        } else {
+            mark.at - last > near && fixed.iter().all(|at| (at - mark.at).abs() > near)
         };
         if is_apart {
             kept.push(mark);

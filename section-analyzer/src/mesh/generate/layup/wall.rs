@@ -111,9 +111,10 @@ impl Wall {
 
     fn of_kind(section: &LayupSection, outline: &Outline, size: f64, is_ring: bool) -> Self {
         let ends = outline.corners();
-        let seam = match outline.is_smooth() {
-            true => f64::INFINITY,
-            false => 0.8 * outline.base(),
+        let seam = if outline.is_smooth() {
+            f64::INFINITY
+        } else {
+            0.8 * outline.base()
         };
         let kind = (is_ring, ends, seam);
         let stack = Stack::new(&section.layers, outline.perimeter(), size, kind);
@@ -146,9 +147,10 @@ impl Wall {
     fn has_wall(&self) -> bool {
         let lengths = || self.rear().map(|one| one.length);
         let both: f64 = lengths().sum();
-        let taken = match self.outline.is_round_behind() {
-            true => both,
-            false => 2.0 * lengths().fold(0.0, f64::max),
+        let taken = if self.outline.is_round_behind() {
+            both
+        } else {
+            2.0 * lengths().fold(0.0, f64::max)
         };
         MOST_OF_WAY * self.outline.base() > taken && both > 0.0
     }
@@ -304,9 +306,10 @@ impl Wall {
         let Some(weight) = self.weight(s, x) else {
             let (along, lean) = self.mitred(s);
             let depths = self.depths(s, None).into_iter();
-            let bend = match lean == 0.0 {
-                true => 0.0,
-                false => self.outline.bend(s),
+            let bend = if lean == 0.0 {
+                0.0
+            } else {
+                self.outline.bend(s)
             };
             return Column {
                 point,

@@ -55,9 +55,10 @@ pub(super) fn read(folder: &Path, element: Element<'_>, notes: &mut Notes) -> Op
         return None;
     };
     let blocks = blocks(&text, skipped as usize, &file, notes)?;
-    let points = match is_selig {
-        true => blocks.concat(),
-        false => around(&blocks, list, notes)?,
+    let points = if is_selig {
+        blocks.concat()
+    } else {
+        around(&blocks, list, notes)?
     };
     if points.len() < LEAST {
         let found = format!("{} points", points.len());
@@ -132,9 +133,10 @@ fn around(blocks: &[Points], list: Element<'_>, notes: &mut Notes) -> Option<Poi
         return None;
     };
     // the numbers of points may precede the first list
-    let upper: Points = match upper[0].iter().all(|n| *n > 1.5) {
-        true => upper[1..].to_vec(),
-        false => upper.clone(),
+    let upper: Points = if upper[0].iter().all(|n| *n > 1.5) {
+        upper[1..].to_vec()
+    } else {
+        upper.clone()
     };
     Some(
         upper

@@ -87,9 +87,10 @@ pub(super) fn arc<'x>(
         return by_radius([start?, end?], element, notes);
     }
     let center = named("center", notes);
-    let end = match has("end") {
-        true => Some(named("end", notes)?),
-        false => None,
+    let end = if has("end") {
+        Some(named("end", notes)?)
+    } else {
+        None
     };
     let sign = direction(element, notes)?;
     let (center, start) = (center?, start?);

@@ -77,9 +77,10 @@ fn along<'x>(
     let count = line.points.len() - 1;
     let last = count as f64;
     let is_closed = line.is_closed();
-    let to = match to <= from && is_closed {
-        true => to + last,
-        false => to,
+    let to = if to <= from && is_closed {
+        to + last
+    } else {
+        to
     };
     if to < from {
         let what = format!("the range of {}", at.text());
