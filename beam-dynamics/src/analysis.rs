@@ -43,10 +43,10 @@
 //! assert!((height + 0.5 * 9.81 * time * time).abs() < 1e-9);
 //! ```
 
-mod bending;
 mod branches;
 pub mod buckling;
 mod critical;
+mod deformation;
 mod effects;
 mod fewer_modes;
 mod first_order;

@@ -259,7 +259,8 @@ fn equation_number(text: &str) -> Option<&str> {
     (["S", "D"].contains(&series) && is_number).then_some(number)
 }
 
-/// Relative links of Markdown pages to files or headings that do not exist.
+/// Relative links of Markdown pages to files or headings that do not exist, and of pages of the book
+/// to files that are not in it.
 pub fn links(tree: &Tree) -> Vec<String> {
     let mut breaches = Vec::new();
     for page in tree.files.iter().filter(|file| file.is_markdown()) {
@@ -298,7 +299,10 @@ fn leads_somewhere(tree: &Tree, page: &File, target: &str) -> bool {
         resolved(&page.path, path)
     };
     let has_anchor = |file: &File| headings(&file.text).any(|heading| heading == anchor);
-    tree.has(&goal) && (anchor.is_empty() || tree.file(&goal).is_some_and(has_anchor))
+    let leaves_book = page.path.starts_with(BOOK) && !goal.starts_with(BOOK);
+    tree.has(&goal)
+        && !leaves_book
+        && (anchor.is_empty() || tree.file(&goal).is_some_and(has_anchor))
 }
 
 /// `target` from the folder of the page at `page`.
@@ -395,6 +399,9 @@ mod tests {
         let page = "# One two\n[a](b.md) [b](#one-two) [c](../c.md#x) [d](https://e.f) `[g](h)`\n[i]: j.md\n";
         let tree = Tree::of(&[("docs/a.md", page), ("docs/b.md", ""), ("c.md", "## y\n")]);
         assert_eq!(links(&tree).len(), 2);
+        let page = "[out](../../c.md) [in](b.md)";
+        let tree = Tree::of(&[("docs/src/a.md", page), ("docs/src/b.md", ""), ("c.md", "")]);
+        assert_eq!(links(&tree).len(), 1);
     }
 
     #[test]

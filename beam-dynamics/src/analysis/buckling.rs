@@ -61,8 +61,8 @@ use crate::result::{BucklingMode, BucklingResult};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
-use super::bending::bending;
 use super::critical::critical_part;
+use super::deformation::deformation;
 use super::first_order::first_order;
 use super::statics::{base, static_step};
 use super::steady::NoEquilibrium;
@@ -157,8 +157,9 @@ pub fn buckling(model: &Model, settings: &BucklingSettings) -> BucklingOutcome {
     let base = result.base.as_ref();
     let when = "under rotation and constant loads";
     let remark = base.and_then(|step| first_order(&step.sections, when));
-    let bent = base.and_then(|step| bending(&step.sections, when));
-    result.remarks.extend([bent, remark].into_iter().flatten());
+    let deformed = base.map(|step| deformation(&step.sections, when));
+    let deformed = deformed.into_iter().flatten().flatten();
+    result.remarks.extend(deformed.chain(remark));
     BucklingOutcome { result, failure }
 }
 

@@ -15,8 +15,8 @@ use crate::modes::{
 use crate::result::{EquilibriumReport, FrequencyTable, ModePoint};
 use crate::solver::LinearSolver;
 
-use super::bending::bending;
 use super::branches::Branches;
+use super::deformation::deformation;
 use super::fewer_modes::why_no_more;
 use super::first_order::first_order;
 use super::growing;
@@ -193,7 +193,8 @@ fn run(
             .observe(&steady.state, &conditions)
             .sections;
         let when = format!("at {}", rpm(*speed));
-        [bending(&sections, &when), first_order(&sections, &when)]
+        let [bent, strained] = deformation(&sections, &when);
+        [bent, strained, first_order(&sections, &when)]
     });
     table
         .remarks

@@ -49,8 +49,8 @@ use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
 
 use super::balance::Balance;
-use super::bending::bending;
 use super::critical::critical_part;
+use super::deformation::deformation;
 use super::first_order::first_order;
 use super::path::{Point, Walker};
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium};
@@ -120,11 +120,13 @@ pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
         Some(StaticFailure::Path(PathEnd::LimitPoint { .. }))
     );
     let doubt = remark.is_some() && is_limit;
-    let bent = result.last().and_then(|step| {
+    let deformed = result.last().map(|step| {
         let when = format!("at factor {:.6}", step.factor);
-        bending(&step.sections, &when)
+        deformation(&step.sections, &when)
     });
-    result.remarks.extend(bent);
+    result
+        .remarks
+        .extend(deformed.into_iter().flatten().flatten());
     result.remarks.extend(remark);
     result
         .remarks

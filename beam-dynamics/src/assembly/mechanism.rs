@@ -57,7 +57,8 @@ fn others(nodes: &usize) -> String {
 impl Explain for Mechanism {
     fn help(&self) -> Option<String> {
         Some(
-            "hold it with a [[clamp]], or connect it by a [[beam]] to a part that is held"
+            "hold it with a [[clamp]], or connect it by a [[beam]] to a part that is held; for the \
+             modes of a free body set free = true in [modes]"
                 .to_owned(),
         )
     }

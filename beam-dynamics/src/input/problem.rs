@@ -335,7 +335,7 @@ pub enum InputProblem {
         found: f64,
     },
     /// A range of speeds that does not increase.
-    #[error("\"speeds\" runs from {} to {} rpm, expected an increasing range", six(*.from), six(*.to))]
+    #[error("\"speeds\" runs from {} to {} rpm, expected an increasing range: exchange both", six(*.from), six(*.to))]
     FallingRange {
         /// First speed \[rpm\].
         from: f64,

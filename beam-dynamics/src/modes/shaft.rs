@@ -38,6 +38,8 @@ pub fn shaft_whirl(motion: &ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
             }
         }
     }
+    // In a turning frame the part of a pattern may be negative.
+    let parts = parts.map(f64::abs);
     let total: f64 = parts.iter().sum();
     if total < MOST * motion.product(motion).re {
         return None;

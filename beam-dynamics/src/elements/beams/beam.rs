@@ -274,12 +274,11 @@ impl Structure for Beam {
 
     fn undefined(&self, at: &Local<'_>) -> Option<String> {
         let turn = NodalKinematics::largest_turn(&self.geometry, at.nodes);
-        let largest = LARGEST.to_degrees();
         (turn > LARGEST).then(|| {
             format!(
-                "its ends turn by {:.1} deg against its middle, more than the {largest:.1} deg that \
-                 one element can follow",
-                turn.to_degrees()
+                "its ends turn by {:.2} deg against its middle, one element can follow less than {:.0} deg",
+                turn.to_degrees(),
+                LARGEST.to_degrees()
             )
         })
     }

@@ -152,8 +152,8 @@ impl Explain for LoadProblem {
             Self::ImposedTwice { .. } => "put all components of the motion into one [[imposed]]",
             Self::GravityGoesRound { .. } => {
                 "give gravity along the axis, or analyze speed 0, at one azimuth after the other, \
-                 or the motion in time: [transient] with start = \"rotating\" contains the response \
-                 to gravity"
+                 or the motion in time, in a file without [modes], [static], [buckling] and [trim] at \
+                 a speed: [transient] with start = \"rotating\" contains the response to gravity"
             }
             Self::ReleasedAndConstant => {
                 "a released load acts in the equilibrium of the start and never later"
