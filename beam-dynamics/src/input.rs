@@ -121,7 +121,7 @@ pub use trim::TrimProblem;
 use analyses::Analyses;
 use builder::ModelBuilder;
 use motion_remarks::{free_hinges, free_parts, sampled};
-use rotors::PlacedRotor;
+use rotors::Rotors;
 
 /// Ending of the names of dynamics inputs.
 pub const ENDING: &str = ".dynamics.toml";
@@ -265,9 +265,8 @@ fn checked(
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
-    let placed = rotors.as_deref().unwrap_or_default();
-    let input = cards(&document, name, (placed, linear));
-    let input = input.filter(|_| rotors.is_some());
+    let input = cards(&document, name, (&rotors, linear));
+    let input = input.filter(|_| rotors.is_ok());
     let controls = trim::locations(&document.root_of(&schema::DYNAMICS_FILE));
     let mut input = document.finish(input)?;
     let mut problems = trim::problems(&input.model, controls);
@@ -331,7 +330,7 @@ fn declare(document: &Document, root: &Table<'_>, given: &[(String, f64)]) {
 fn cards(
     document: &Document,
     default_name: &str,
-    (rotors, linear): (&[PlacedRotor], Option<&LinearRequest>),
+    (rotors, linear): (&Rotors, Option<&LinearRequest>),
 ) -> Option<Input> {
     let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
@@ -345,13 +344,12 @@ fn cards(
     let hub = hub::read(&root);
 
     let mut builder = ModelBuilder::new(properties, hub);
+    builder.note_broken_rotors(rotors.as_ref().err());
     builder.set_drives(drives);
     builder.set_frames(frames::read(&root));
     hub_support::add(&root, &mut builder);
     let gravity = loads::gravity(&root, &builder);
-    let weight = gravity
-        .as_ref()
-        .map_or_else(Vector3::zeros, |found| found.0);
+    let weight = gravity.as_ref().map_or_else(Vector3::zeros, |own| own.0);
     let air = aerodynamics::read(&root, &weight, builder.drives());
     builder.set_aerodynamics(air);
     parts(&root, &mut builder);

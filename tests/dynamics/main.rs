@@ -5,6 +5,7 @@
 mod air_output;
 mod articulated;
 mod beam_statics;
+mod bearingless;
 mod bipendulum;
 mod blade_roots;
 mod buckling;

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::schema::TableSchema;
-use shared_geom::document::schema::ValueKind::{Boolean, Table as OneTable, Tables};
+use shared_geom::document::schema::ValueKind::{Boolean, NotNegative, Table as OneTable, Tables};
 use shared_geom::document::{Nested, NestedList, Table};
 use shared_geom::keys;
+use shared_geom::units::Dimension;
 
 use super::beam_card::Beam;
 use super::beam_check::BeamCheck;
@@ -34,7 +35,9 @@ mod stations;
 #[cfg(test)]
 mod tests;
 
+pub(in crate::input) use pieces::{ELEMENTS, LENGTH, PIECES};
 pub use problem::BladeProblem;
+pub(in crate::input) use stations::STATIONS;
 
 use hinges::BladeHinge;
 use layout::BladeLayout;
@@ -60,6 +63,7 @@ pub(super) const CARD: TableSchema = TableSchema {
         INTERPOLATION.schema,
         INERTIA.schema,
         CLAMP_ROOT.schema,
+        PART.schema,
         HINGES.schema,
         MASS.schema,
         AERODYNAMICS.schema,
@@ -69,7 +73,7 @@ pub(super) const CARD: TableSchema = TableSchema {
         VELOCITY_WEIGHT.schema,
         IN.schema,
     ],
-    families: &[pieces::PIECES, stations::STATIONS],
+    families: &[PIECES, STATIONS],
 };
 
 /// The blade of a rotor, without the keys that follow from the rotor.
@@ -86,12 +90,35 @@ pub(super) const OF_ROTOR: TableSchema = TableSchema {
         MASS.schema,
         AERODYNAMICS.schema,
     ],
-    families: &[pieces::PIECES, stations::STATIONS],
+    families: &[PIECES, STATIONS],
 };
+
+/// The flexbeam of a rotor, without the keys that follow from the rotor.
+pub(super) const FLEXBEAM: TableSchema = TableSchema {
+    title: "[rotor.flexbeam]",
+    meaning: "The flexible beam between hub and blade, whose twist is the pitch: keys of `[[blade]]`.",
+    keys: &[
+        OFFSET.schema,
+        mounts::PITCH.schema,
+        FORMULATION.schema,
+        INTERPOLATION.schema,
+        INERTIA.schema,
+        MASS.schema,
+    ],
+    families: &[PIECES, STATIONS],
+};
+
+keys! {
+    /// Distance of its inner end from the center of the hub, along the blade.
+    pub(super) OFFSET: f64 = "offset", [NotNegative(Dimension::LENGTH)], required, "0.1";
+}
 
 keys! {
     /// Whether the root is clamped to the frame, or to the hub if it has a support.
     CLAMP_ROOT: Option<bool> = "clamp_root", [Boolean], or "true without `hinges`", "false";
+    /// Whether it is a part of another blade, such as a flexbeam: results and multiblade
+    /// coordinates then do not count it as a blade.
+    PART: bool = "part", [Boolean], or "false" = false, "true";
     /// Hinges between hub and root, from the hub outward.
     HINGES: NestedList = "hinges", [Tables(&hinges::CARD)], optional, "";
     /// Strips of every blade of the card in the air.
@@ -117,6 +144,7 @@ struct Card {
     layout: BladeLayout,
     formulation: (Formulation, Inertia),
     root: Root,
+    is_part: bool,
     /// Motion at the start, and the center about which it turns \[m\].
     initial: (InitialMotion, Vector3<f64>),
     /// Index of the node that carries it, and the inertia about that node.
@@ -179,6 +207,7 @@ fn card(
     let mounts = mounts::read(table, builder, named);
     let formulation = formulation::read(table);
     let root = root(table, &name, builder);
+    let is_part = is_part(table, &name);
     let masses = masses::read(table);
     let initial = initial(table, builder);
     let source = source::read(table, builder, &name);
@@ -191,10 +220,26 @@ fn card(
         layout,
         formulation: formulation?,
         root: root?,
+        is_part: is_part?,
         initial: initial?,
         masses,
         air: air?,
     })
+}
+
+/// Whether a card is for parts of other blades, which have no strips.
+fn is_part(table: &Table<'_>, name: &str) -> Option<bool> {
+    let is_part = table.get(&PART)?;
+    if is_part && table.has(&AERODYNAMICS) {
+        let problem = BladeProblem::Both {
+            blade: format!("blade \"{name}\""),
+            first: PART.name(),
+            second: AERODYNAMICS.name(),
+        };
+        table.note(&AERODYNAMICS, &problem);
+        return None;
+    }
+    Some(is_part)
 }
 
 /// Strips of a blade; on an endless line if its own is wrong, so that all problems are noted.
@@ -285,11 +330,13 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             None => builder.note_loose_end(),
         },
     }
-    builder.add_blade(BladeNodes {
-        name: mount.name.clone(),
-        azimuth: mount.azimuth,
-        nodes,
-    });
+    if !card.is_part {
+        builder.add_blade(BladeNodes {
+            name: mount.name.clone(),
+            azimuth: mount.azimuth,
+            nodes,
+        });
+    }
 }
 
 /// The motion of a card at the start, and the center about which it turns \[m\].

@@ -30,6 +30,7 @@ use crate::model::{Drive, Node, Scalar};
 
 mod air;
 mod blades;
+mod broken;
 mod catalogs;
 mod electrodes;
 mod lookup;
@@ -65,6 +66,7 @@ pub(super) struct ModelBuilder {
     blade_axes: Vec<Option<Matrix3<f64>>>,
     names: BTreeMap<String, Named>,
     broken_blades: BTreeSet<String>,
+    broken_rotors: Vec<String>,
     /// Names of the blades of each card of several blades, by the name of the card.
     blade_cards: BTreeMap<String, Vec<String>>,
     used: BTreeSet<usize>,
@@ -112,6 +114,7 @@ impl ModelBuilder {
             blade_axes: Vec::new(),
             names: BTreeMap::new(),
             broken_blades: BTreeSet::new(),
+            broken_rotors: Vec::new(),
             blade_cards: BTreeMap::new(),
             used: BTreeSet::new(),
             beams: Vec::new(),
@@ -202,17 +205,6 @@ impl ModelBuilder {
         self.control.push(element);
     }
 
-    /// Notes that a card could not be read.
-    pub fn note_broken(&mut self) {
-        self.broken = true;
-    }
-
-    /// Notes that a blade could not be read: uses of its nodes are not reported.
-    pub fn note_broken_blade(&mut self, blade: &str) {
-        self.broken = true;
-        self.broken_blades.insert(blade.to_owned());
-    }
-
     /// The node called `name` under `key` of a card described by `user`.
     pub fn find_node(
         &mut self,
@@ -238,8 +230,7 @@ impl ModelBuilder {
             Some(meant) => self.used.extend(self.names[meant].node),
             None => self.loose_ends = true,
         }
-        let blade = name.split_once('/').map(|(blade, _)| blade);
-        if blade.is_some_and(|blade| self.broken_blades.contains(blade)) {
+        if self.is_of_broken_part(name) {
             return;
         }
         let problem = InputProblem::UnknownName {
@@ -354,7 +345,9 @@ impl ModelBuilder {
 
     /// Notes problems of the model as a whole.
     pub fn check(&self, root: &Table<'_>) {
-        const CARDS: [&str; 7] = ["blade", "beam", "hinge", "rigid", "joint", "spring", "rod"];
+        const CARDS: [&str; 8] = [
+            "blade", "rotor", "beam", "hinge", "rigid", "joint", "spring", "rod",
+        ];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
         let bodies = !flies || self.bodies.is_empty();
         let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;

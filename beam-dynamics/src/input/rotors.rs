@@ -19,7 +19,14 @@ mod base;
 mod card;
 mod context;
 mod controls;
+mod damper;
+mod damper_keys;
+mod damper_law;
+mod damper_parts;
 mod distributor;
+mod flexbeam;
+mod flexbeam_keys;
+mod flexbeam_parts;
 mod hubs;
 mod keys;
 mod parts;
@@ -28,6 +35,9 @@ mod plate;
 mod problem;
 mod shaft;
 mod stops;
+mod train;
+mod train_keys;
+mod train_parts;
 
 #[cfg(test)]
 mod tests;
@@ -37,7 +47,6 @@ pub use problem::RotorProblem;
 
 use card::Rotor;
 use context::Context;
-use shaft::Drive;
 
 /// The key of the cards.
 const KEY: &str = "rotor";
@@ -53,26 +62,45 @@ pub(super) struct PlacedRotor {
     axes: Matrix3<f64>,
     /// Its speed, if it is constant [rad/s].
     speed: Option<f64>,
+    /// The key of a part of its drive that has no state of steady rotation, if there is one.
+    unsteady: Option<&'static str>,
 }
 
-/// Appends the cards of all rotors; `None` if one is wrong, which has been noted. The cards of a
-/// rotor with wrong controls are appended too. Drives that are `inputs` of a linear model are
+/// The rotors of an input, or the names of those that could not be expanded.
+pub(super) type Rotors = Result<Vec<PlacedRotor>, Vec<String>>;
+
+/// Appends the cards of all rotors. If one is wrong, which has been noted, the names of the rotors whose
+/// cards are missing: the cards of a rotor with wrong controls are appended too. Drives that are `inputs` of a linear model are
 /// scalars, which only expressions read.
-pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Option<Vec<PlacedRotor>> {
-    let (rotors, is_sound) = read(document, inputs)?;
+pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
+    let Some((rotors, is_sound)) = read(document, inputs) else {
+        return Err(names(document));
+    };
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
         name: rotor.base.name,
         line: rotor.base.line,
         center: rotor.center,
         axes: rotor.axes,
-        speed: match rotor.drive {
-            Drive::Speed(speed) => Some(speed),
-            _ => None,
-        },
+        speed: rotor.shaft.constant_speed(),
+        unsteady: rotor.shaft.unsteady(),
     };
     let placed = rotors.into_iter().map(|(rotor, _)| place(rotor));
-    is_sound.then(|| placed.collect())
+    is_sound.then(|| placed.collect()).ok_or_else(Vec::new)
+}
+
+/// The names of all rotors that have one.
+fn names(document: &Document) -> Vec<String> {
+    let root = document.root_of(&DYNAMICS_FILE);
+    let rotors = if root.is_list(KEY) {
+        root.tables(KEY)
+    } else {
+        Vec::new()
+    };
+    let named = rotors.iter().filter(|rotor| rotor.is_text(&keys::NAME));
+    named
+        .filter_map(|rotor| rotor.text(keys::NAME.name()))
+        .collect()
 }
 
 /// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
@@ -175,7 +203,8 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
 
 /// Notes rotors whose speed or axis is not the one of the turning model, or that do not turn as often
 /// as a period needs.
-pub(super) fn check(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses, hub: &Hub) {
+pub(super) fn check(document: &Document, rotors: &Rotors, analyses: &Analyses, hub: &Hub) {
+    let rotors = rotors.as_deref().unwrap_or_default();
     check_period(document, rotors, analyses);
     let starts = analyses.transient.iter().map(|run| &run.start);
     let speeds = starts.filter_map(|start| match start {
@@ -190,6 +219,10 @@ pub(super) fn check(document: &Document, rotors: &[PlacedRotor], analyses: &Anal
         let is_apart = hub.distance(&rotor.center) > SAME_AXIS * size
             || (rotor.axes.column(2) - rotation.axis).norm() > SAME_AXIS;
         let name = rotor.name.clone();
+        if let Some(key) = rotor.unsteady {
+            let name = name.clone();
+            document.note(rotor.line, &RotorProblem::Unsteady { name, key });
+        }
         if is_apart {
             document.note(rotor.line, &RotorProblem::Axes { name });
             continue;

@@ -97,6 +97,27 @@ const TOGETHER: &[(&str, &str, &str)] = &[
         "hub = \"rigid\"\nspeed = 300\nblade.piece = [{ length = 1, elements = 1 }]\n\
          blade.aerodynamics.stations = [{ at = 0, chord = 1, airfoil = \"naca0012\" }]",
     ),
+    (
+        "[[rotor]]",
+        "flexbeam",
+        "hub = \"bearingless\"\nspeed = 300\n[blade]\nhub_radius = 100\n\
+         piece = [{ length = 1, elements = 1 }]",
+    ),
+    (
+        "[[rotor]]",
+        "torque_tube",
+        "hub = \"bearingless\"\nspeed = 300\n[blade]\nhub_radius = 100\n\
+         piece = [{ length = 1, elements = 1 }]\n[flexbeam]\noffset = 0.1\n\
+         piece = [{ length = 1, elements = 1 }]",
+    ),
+    ("[rotor.flexbeam]", "temperature", "properties = \"strip\""),
+    ("[rotor.flexbeam]", "imposed", "properties = \"strip\""),
+    (
+        "[rotor.torque_tube]",
+        "temperature",
+        "properties = \"strip\"",
+    ),
+    ("[rotor.torque_tube]", "imposed", "properties = \"strip\""),
     ("[rotor.blade]", "temperature", "properties = \"strip\""),
     ("[rotor.blade]", "imposed", "properties = \"strip\""),
     ("[[frame]]", "axis", "turn = 30"),

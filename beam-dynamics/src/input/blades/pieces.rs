@@ -17,7 +17,7 @@ use crate::input::heat;
 use crate::input::problem::InputProblem;
 
 /// A blade of straight pieces.
-pub(super) const PIECES: Family = Family {
+pub(in crate::input) const PIECES: Family = Family {
     name: "pieces",
     meaning: "Straight pieces.",
     keys: &[
@@ -39,9 +39,9 @@ keys! {
     /// A straight piece of a blade.
     CARD = "[[blade.piece]]";
     /// Length of the piece.
-    LENGTH: f64 = "length", [Positive(Dimension::LENGTH)], required, "31.5";
+    pub(in crate::input) LENGTH: f64 = "length", [Positive(Dimension::LENGTH)], required, "31.5";
     /// Number of beams of three nodes.
-    ELEMENTS: usize = "elements", [Count(MOST_ELEMENTS)], required, "8";
+    pub(in crate::input) ELEMENTS: usize = "elements", [Count(MOST_ELEMENTS)], required, "8";
     /// Direction of the piece in the rotor plane from the span, positive aft, less than a quarter
     /// turn.
     SWEEP: f64 = "sweep", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "45";

@@ -115,6 +115,7 @@ impl Explain for BladeProblem {
                 "\"root\" is a position at azimuth 0, \"hub_radius\" the distance from the center \
                  along the blade"
             }
+            Self::Both { first: "part", .. } => "the blade of which it is a part has the strips",
             Self::Both { .. } => {
                 "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\""
             }

@@ -32,7 +32,7 @@ use crate::input::damping;
 use crate::input::heat;
 
 /// A blade of a blade file.
-pub(super) const STATIONS: Family = Family {
+pub(in crate::input) const STATIONS: Family = Family {
     name: "file",
     meaning: "From a blade file.",
     keys: &[

@@ -268,6 +268,10 @@ const WRONG_CARDS: &[(&str, &str)] = &[
     ),
     ("count = 1000\n", "\"count\" is 1000, expected at most 100"),
     (
+        "part = true\naerodynamics = { stations = [] }\n",
+        "has \"part\" and \"aerodynamics\", expected one of them",
+    ),
+    (
         "properties = \"strip\"\n",
         "has \"file\" and \"properties\", expected a blade file or",
     ),

@@ -47,11 +47,6 @@ impl ModelBuilder {
         &self.blades
     }
 
-    /// Whether a blade of this name could not be read.
-    pub fn is_broken_blade(&self, blade: &str) -> bool {
-        self.broken_blades.contains(blade)
-    }
-
     /// Indices of the beams of a blade, from the root to the tip.
     pub fn beams_of(&self, blade: &BladeNodes) -> Vec<usize> {
         let position = |node: usize| blade.nodes.iter().position(|own| *own == node);

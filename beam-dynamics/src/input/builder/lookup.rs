@@ -34,7 +34,7 @@ impl LookUp<'_> {
         if let Some(named) = names.get(self.name) {
             return named.node;
         }
-        if !self.builder.is_of_broken_blade(self.name) {
+        if !self.builder.is_of_broken_part(self.name) {
             self.note_unknown("node", names.keys().cloned().collect());
         }
         None
@@ -49,7 +49,7 @@ impl LookUp<'_> {
         if let Some(axes) = frames.axes_of(self.name) {
             return axes.map(Axes::Fixed);
         }
-        if !self.builder.is_of_broken_blade(self.name) {
+        if !self.builder.is_of_broken_part(self.name) {
             let known = names.keys().chain(frames.names()).cloned();
             self.note_unknown("node or frame", known.collect());
         }
@@ -60,7 +60,7 @@ impl LookUp<'_> {
     pub fn beam(&self) -> bool {
         let labels = || self.builder.beams.iter().map(|beam| &beam.label);
         let is_known = labels().any(|label| label == self.name);
-        let is_broken = || self.builder.is_of_broken_blade(self.name) || self.is_taken("beam");
+        let is_broken = || self.builder.is_of_broken_part(self.name) || self.is_taken("beam");
         if !is_known && !is_broken() {
             self.note_unknown("beam", labels().cloned().collect());
         }
@@ -102,7 +102,8 @@ impl LookUp<'_> {
             }
         });
         let mut kinds = ["joint", "spring", "rod", "imposed"].into_iter();
-        if found.is_none() && !kinds.any(|kind| self.is_taken(kind)) {
+        let is_broken = || builder.is_of_broken_part(self.name);
+        if found.is_none() && !kinds.any(|kind| self.is_taken(kind)) && !is_broken() {
             self.note_unknown("joint or spring", known);
         }
         found
@@ -185,10 +186,5 @@ impl ModelBuilder {
         found.extend(bodies);
         found.truncate(most);
         found
-    }
-
-    fn is_of_broken_blade(&self, name: &str) -> bool {
-        let blade = name.split_once('/').map(|parts| parts.0);
-        blade.is_some_and(|blade| self.broken_blades.contains(blade))
     }
 }

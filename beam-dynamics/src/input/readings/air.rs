@@ -127,6 +127,8 @@ fn rotor(table: &Table<'_>, builder: &ModelBuilder) -> Option<String> {
     let (key, found) = match name {
         None if known.len() == 1 => return known.pop(),
         Some(name) if known.contains(&name) => return Some(name),
+        Some(name) if builder.is_of_broken_part(&name) => return None,
+        None if builder.has_broken_rotors() => return None,
         Some(name) => (OF, format!("\"{name}\" is not a rotor in the air")),
         None => {
             let count = known.len();

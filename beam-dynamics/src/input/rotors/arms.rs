@@ -6,6 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::base::{Base, Hinge, Local};
 use super::controls::Sum;
+use super::damper;
 use super::keys::KINDS;
 use super::pitch;
 use super::stops;
@@ -22,6 +23,8 @@ const TURNS: [Vector3<f64>; 3] = [
     Vector3::new(0.0, -FRAC_PI_2, 0.0),
     Vector3::new(0.0, 0.0, 0.0),
 ];
+/// Index of lag in the kinds of hinges.
+const LAG: usize = 1;
 /// Index of pitch in the kinds of hinges.
 pub(super) const PITCH: usize = 2;
 
@@ -85,7 +88,17 @@ fn restraints(
     arm: &Local,
     hinge: &Hinge,
 ) -> Vec<Card> {
-    stops::cards(base, (name, nodes), (arm, TURNS[hinge.kind]), hinge)
+    let (of, axes) = ((name, nodes), (arm, TURNS[hinge.kind]));
+    let stop = stops::cards(base, of, axes, hinge);
+    let damper = hinge.damper.iter();
+    let damper = damper.flat_map(|law| damper::of_hinge(base, of, axes, law));
+    stop.into_iter().chain(damper).collect()
+}
+
+/// The node outboard of the first lag hinge of blade `k`; `None` without one.
+pub(super) fn lagging(base: &Base, k: usize) -> Option<String> {
+    let number = base.hinges.iter().position(|hinge| hinge.kind == LAG)?;
+    Some(base.of_blade(k, &word(&base.hinges, number)))
 }
 
 /// The frame of the blades, if the hub is underslung, and their card.
@@ -101,10 +114,16 @@ pub(super) fn blades(base: &Base, keys: &[(String, Content)]) -> Vec<Card> {
                 .with("position", super::base::lengths(&below)),
         );
     }
+    cards.push(line(base, &base.name, keys));
+    cards
+}
+
+/// A card of lines of beams along all blades.
+pub(super) fn line(base: &Base, name: &str, keys: &[(String, Content)]) -> Card {
     let card = base
         .listed("blade")
-        .with("name", base.name.as_str())
-        .with("in", frame)
+        .with("name", name)
+        .with("in", base.frame_of_blades())
         .with("azimuth", Content::quantity(base.azimuth, "rad"))
         .with("count", base.count)
         .with("clamp_root", false)
@@ -112,6 +131,5 @@ pub(super) fn blades(base: &Base, keys: &[(String, Content)]) -> Vec<Card> {
     let spin = base
         .spin
         .map(|spin| Content::quantities([0.0, 0.0, spin], "rad/s"));
-    cards.push(card.with_some("angular_velocity", spin));
-    cards
+    card.with_some("angular_velocity", spin)
 }

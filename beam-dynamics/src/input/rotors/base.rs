@@ -13,6 +13,8 @@ use shared_geom::document::{Card, Content};
 use shared_geom::rotation::vector;
 use std::f64::consts::TAU;
 
+use super::damper_law::DamperLaw;
+
 /// Units of plain numbers in expressions, in SI.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
@@ -70,8 +72,8 @@ pub(super) struct Hinge {
     pub offset: f64,
     /// Spring, damper and stops.
     pub restraint: Restraint,
-    /// Rates \[rad/s\] and moments \[N m\] of a damper.
-    pub curve: Vec<[f64; 2]>,
+    /// A damper beside the one of the restraint.
+    pub damper: Option<DamperLaw>,
 }
 
 /// A mass and its moments of inertia \[kg, kg m^2\].
@@ -104,6 +106,8 @@ pub(super) struct Base {
     pub tilt: Restraint,
     /// The body that tilts.
     pub yoke: Option<Lump>,
+    /// Whether its blades are on flexbeams.
+    pub has_flexbeam: bool,
     /// Hinges of every blade, from the hub outward, pitch bearing included.
     pub hinges: Vec<Hinge>,
     /// Units of expressions.
@@ -121,6 +125,13 @@ pub(super) struct Local {
     axes: Matrix3<f64>,
     /// Whether it has the pitch of the undeformed model.
     pub is_pitched: bool,
+}
+
+impl Local {
+    /// A position in the frame \[m\] in the frame of the rotor.
+    pub fn point(&self, position: &Vector3<f64>) -> Vector3<f64> {
+        self.origin + self.axes * position
+    }
 }
 
 impl Base {

@@ -12,13 +12,20 @@ use super::arms;
 use super::base::{Base, Lump, Units, angles, lengths};
 use super::context::Context;
 use super::controls::{Pitch, Sum};
+use super::damper;
+use super::damper_keys::LAG_DAMPER;
+use super::damper_parts::{self, LagDamper};
+use super::flexbeam::{self, Bearingless};
+use super::flexbeam_keys::{FLEXBEAM, SNUBBER, TORQUE_TUBE};
+use super::flexbeam_parts;
 use super::hubs::{HUBS, HubKind};
 use super::keys;
 use super::parts;
 use super::pitch;
 use super::plate::Plate;
 use super::problem::RotorProblem;
-use super::shaft::{self, Drive};
+use super::shaft::{self, Drive, Shaft};
+use super::train_parts;
 use crate::elements::Smoothness;
 use crate::input::moments::moments;
 use crate::input::problem::InputProblem;
@@ -35,8 +42,8 @@ pub(super) struct Rotor {
     pub center: Vector3<f64>,
     /// Axes of the rotor (columns): aft, across, along the shaft.
     pub axes: Matrix3<f64>,
-    /// Its drive.
-    pub drive: Drive,
+    /// Its shaft with the drive.
+    pub shaft: Shaft,
     hub: &'static HubKind,
     body: Option<Lump>,
     blade: Vec<(String, Content)>,
@@ -45,17 +52,20 @@ pub(super) struct Rotor {
     pitch: Option<Pitch>,
     control: pitch::Control,
     plate: Option<Plate>,
+    flexbeam: Option<Bearingless>,
+    lag_damper: Option<LagDamper>,
     inflow: Option<Vec<(String, Content)>>,
 }
 
-/// Whether an azimuth is within a turn; notes it if not.
-fn is_within_turn(table: &Table<'_>, azimuth: f64) -> bool {
-    let is_within = azimuth.abs() <= TAU * (1.0 + f64::EPSILON);
-    if !is_within {
+/// The azimuth of the first blade \[rad\]; notes one that is not within a turn.
+fn azimuth(table: &Table<'_>, context: &Context) -> Option<f64> {
+    let azimuth = table.get(&keys::AZIMUTH)?;
+    if azimuth.abs() > TAU * (1.0 + f64::EPSILON) {
         let turns = azimuth / TAU;
         table.note(&keys::AZIMUTH, &RotorProblem::Azimuth { turns });
+        context.refuse();
     }
-    is_within
+    Some(azimuth)
 }
 
 /// Reads a rotor; `None` if it is wrong.
@@ -64,12 +74,9 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let hub = table.get(&keys::HUB).map(|index| &HUBS[index]);
     let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
     let axes = axes(table);
-    let (azimuth, count) = (table.get(&keys::AZIMUTH), table.get(&keys::BLADES));
+    let (azimuth, count) = (azimuth(table, context), table.get(&keys::BLADES));
     let shown = name.clone().unwrap_or_default();
-    if azimuth.is_some_and(|azimuth| !is_within_turn(table, azimuth)) {
-        context.refuse();
-    }
-    let drive = drive(table, &shown, context);
+    let shaft = shaft(table, &shown, context);
     let body = body(table, &shown);
     let blade = parts::blade(table);
     let inflow = parts::inflow(table, &shown);
@@ -80,9 +87,11 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let (tilt, yoke) = (parts::tilt(table), parts::yoke(table, &shown));
     let root = blade.as_ref().map_or(f64::INFINITY, |blade| blade.radius);
     let hinges = parts::hinges(table, root);
+    let flexbeam = flexbeam_parts::read(table, &shown, root);
+    let lag_damper = damper_parts::between(table, &shown);
     table.finish();
-    let (hub, (drive, initial), blade) = (hub?, drive?, blade?);
-    let (controls, inflow) = (controls?, inflow?);
+    let (hub, (shaft, initial), blade) = (hub?, shaft?, blade?);
+    let (mut controls, inflow, flexbeam) = (controls?, inflow?, flexbeam?);
     let mut base = Base {
         name: name?,
         line: table.line(),
@@ -96,17 +105,15 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         spin: context.moves.then_some(initial),
         tilt: tilt?.unwrap_or_default(),
         yoke: yoke?,
+        has_flexbeam: flexbeam.is_some(),
         hinges: hinges?,
         units: units(table.document()),
     };
-    if let Some(pitch) = &controls.pitch {
-        base.pitch = pitch.built_in * base.units.angle;
-        parts::add_bearing(&mut base.hinges, root);
-    }
+    controls.build_in(&mut base, root);
     let rotor = Rotor {
         center: center?,
         axes: axes?,
-        drive,
+        shaft,
         hub,
         body: body?,
         fixed_pitch: blade.pitch,
@@ -114,6 +121,8 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         control: controls.control(hub.tilts),
         pitch: controls.pitch,
         plate: controls.plate,
+        flexbeam,
+        lag_damper: lag_damper?,
         inflow,
         base,
     };
@@ -156,6 +165,13 @@ fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
     }
     let x = across.normalize();
     Some(Matrix3::from_columns(&[x, axis.cross(&x), axis]))
+}
+
+/// The shaft, and its speed at the start \[rad/s\].
+fn shaft(table: &Table<'_>, name: &str, context: &Context) -> Option<(Shaft, f64)> {
+    let (drive, train) = (drive(table, name, context), train_parts::read(table, name));
+    let ((drive, initial), train) = (drive?, train?);
+    Some((Shaft { drive, train }, initial))
 }
 
 /// The drive of the shaft, and the speed at the start \[rad/s\].
@@ -202,7 +218,10 @@ fn body(table: &Table<'_>, name: &str) -> Option<Option<Lump>> {
 /// Whether the parts of a rotor fit each other; notes the first problem.
 fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
     let of_pitch = || Some((keys::SWASHPLATE.name(), pitch_problem(rotor)?));
-    let found = hub_problem(rotor, table).or_else(of_pitch);
+    let of_damper = || Some((LAG_DAMPER.name(), damper_problem(rotor)?));
+    let found = hub_problem(rotor, table)
+        .or_else(of_pitch)
+        .or_else(of_damper);
     if let Some((key, problem)) = &found {
         table.note(key, problem);
         return false;
@@ -218,15 +237,27 @@ fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
 /// Line and key of a drive in a pitch that must be an expression.
 fn unwritten(rotor: &Rotor) -> Option<(usize, &'static str)> {
     let (pitch, has_plate) = (rotor.pitch.as_ref()?, rotor.plate.is_some());
-    let is_sensed = pitch.is_cyclic() && matches!(rotor.drive, Drive::Torque(_));
+    let is_sensed = pitch.is_cyclic() && rotor.shaft.is_free();
     pitch.drive_in_sensed_sum(has_plate, is_sensed && !has_plate)
 }
 
 /// The first key that the hub does not have, or else its first problem, with the key.
 fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorProblem)> {
     const TILTING: &[&str] = &["teetering", "gimballed"];
+    const BEARINGLESS: &[&str] = &["bearingless"];
+    const HINGED: &[&str] = &[
+        "rigid",
+        "hingeless",
+        "articulated",
+        "teetering",
+        "gimballed",
+    ];
     let hub = rotor.hub;
-    let keys: [(&str, &[&str]); 4] = [
+    let keys: [(&str, &[&str]); 8] = [
+        (keys::HINGES.name(), HINGED),
+        (FLEXBEAM.name(), BEARINGLESS),
+        (TORQUE_TUBE.name(), BEARINGLESS),
+        (SNUBBER.name(), BEARINGLESS),
         (keys::UNDERSLING.name(), &["teetering"]),
         (keys::LINK.name(), &["gimballed"]),
         (keys::TILT.name(), TILTING),
@@ -241,6 +272,16 @@ fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorP
     Some((keys::HUB.name(), (hub.problem)(&rotor.base)?))
 }
 
+/// A damper on a part that the blades do not have.
+fn damper_problem(rotor: &Rotor) -> Option<RotorProblem> {
+    let on_lag = rotor.lag_damper.as_ref()?.on_root == Some(false);
+    (on_lag && arms::lagging(&rotor.base, 0).is_none()).then(|| RotorProblem::Idle {
+        name: rotor.base.name.clone(),
+        key: "on = lag",
+        needed: "lag hinge",
+    })
+}
+
 /// The first problem of the pitch.
 fn pitch_problem(rotor: &Rotor) -> Option<RotorProblem> {
     let base = &rotor.base;
@@ -250,14 +291,14 @@ fn pitch_problem(rotor: &Rotor) -> Option<RotorProblem> {
         return Some(RotorProblem::Individual { found, expected });
     }
     let is_cyclic = pitch.is_cyclic() && rotor.plate.is_none();
-    if let (true, Err(reason)) = (is_cyclic, rotor.drive.azimuth(base)) {
+    if let (true, Err(reason)) = (is_cyclic, rotor.shaft.azimuth(base)) {
         return Some(RotorProblem::NoAzimuth { reason });
     }
     if !matches!(rotor.control, pitch::Control::Prescribed) {
         return None;
     }
-    let reason = match &rotor.drive {
-        Drive::Torque(_) if is_cyclic => "its azimuth is a result, whose acceleration is not known",
+    let reason = match rotor.shaft.is_free() {
+        true if is_cyclic => "its azimuth is a result, whose acceleration is not known",
         _ if rotor.hub.tilts => "the hub tilts against the swashplate",
         _ if has_spring(base) => "its hinge has a spring or damper",
         _ => return None,
@@ -298,19 +339,18 @@ impl Rotor {
         );
         let is_cyclic = self.pitch.as_ref().is_some_and(Pitch::is_cyclic);
         let senses = is_cyclic && self.plate.is_none();
-        cards.extend(shaft::cards(base, &self.drive, self.body.as_ref(), senses));
+        cards.extend(shaft::cards(base, &self.shaft, self.body.as_ref(), senses));
         let (yoke, tilt) = (self.hub.yoke)(base);
         cards.extend(tilt);
         let pitch = self.pitch.clone().unwrap_or_default();
         if let Some(plate) = &self.plate {
-            cards.extend(plate.cards(base, &pitch, &self.drive)?);
+            cards.extend(plate.cards(base, &pitch, &self.shaft)?);
         }
         for k in 0..base.count {
-            let azimuth = self.drive.azimuth(base).ok();
+            let azimuth = self.shaft.azimuth(base).ok();
             let azimuth = azimuth.map(|text| format!("{text} + {}", base.azimuth_of(k)));
             let command = pitch.of_blade(k, azimuth.as_deref());
-            cards.extend(arms::cards(base, (k, &yoke), (&self.control, &command)));
-            cards.extend(self.plate.as_ref().and_then(|plate| plate.link(base, k)));
+            cards.extend(self.arm(k, &yoke, &command));
         }
         cards.extend(self.inflow.as_ref().map(|keys| {
             base.listed("inflow")
@@ -323,7 +363,33 @@ impl Rotor {
                 .with_all(keys.iter().cloned())
         }));
         cards.extend(arms::blades(base, &self.blade_keys()));
+        let flexbeam = self.flexbeam.iter();
+        cards.extend(flexbeam.flat_map(|flexbeam| flexbeam.lines(base)));
         Ok(cards)
+    }
+
+    /// The parts between the yoke and blade `k`, with the control of its pitch.
+    fn arm(&self, k: usize, yoke: &str, command: &Sum) -> Vec<Card> {
+        let (base, control) = (&self.base, (&self.control, command));
+        let (mut cards, pitched) = match &self.flexbeam {
+            Some(flexbeam) => (
+                flexbeam.cards(base, (k, yoke), control),
+                Some((flexbeam::pitch_node(base, k), flexbeam.tube.offset())),
+            ),
+            None => (
+                arms::cards(base, (k, yoke), control),
+                arms::feathering(base, k),
+            ),
+        };
+        let link = self.plate.as_ref().zip(pitched);
+        cards.extend(link.map(|(plate, (node, offset))| plate.link(base, k, (&node, offset))));
+        let dampers = self.lag_damper.iter().flat_map(|own| {
+            let lagging = arms::lagging(base, k).filter(|_| own.on_root != Some(true));
+            let part = lagging.unwrap_or_else(|| base.of_blade(k, "root"));
+            damper::of_ends(base, (k, [yoke, &part]), &own.ends, &own.law)
+        });
+        cards.extend(dampers);
+        cards
     }
 
     /// The keys of the blade, with the inflow of the rotor.

@@ -10,6 +10,7 @@ use shared_geom::document::{Item, Table};
 use shared_geom::units;
 
 use super::keys::{COSINE, HARMONIC, NAME, PLATE, SINE, SWASHPLATE, TORQUE};
+use super::train_keys::TRAIN;
 use super::{KEY, shaft};
 use crate::elements::{Input, Sensor, Smoothness};
 use crate::input::drives::{self, Catalog, Measure, Read};
@@ -97,7 +98,7 @@ fn declare(table: &Table<'_>, catalog: &mut Catalog) {
 
 /// Whether a rotor has a sensor of its azimuth.
 fn senses(rotor: &Table<'_>) -> bool {
-    if !rotor.has(&TORQUE) || !rotor.is_table(&SWASHPLATE) {
+    if !(rotor.has(&TORQUE) || rotor.has(&TRAIN)) || !rotor.is_table(&SWASHPLATE) {
         return false;
     }
     let swashplate = rotor.table(&SWASHPLATE);

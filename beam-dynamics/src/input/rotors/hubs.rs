@@ -9,6 +9,7 @@ use super::base::Base;
 use super::problem::RotorProblem;
 
 mod articulated;
+mod bearingless;
 mod gimballed;
 mod hingeless;
 mod rigid;
@@ -28,12 +29,13 @@ pub(super) struct HubKind {
 }
 
 /// All kinds.
-pub(super) const HUBS: [HubKind; 5] = [
+pub(super) const HUBS: [HubKind; 6] = [
     rigid::KIND,
     hingeless::KIND,
     articulated::KIND,
     teetering::KIND,
     gimballed::KIND,
+    bearingless::KIND,
 ];
 
 /// The words of all kinds.

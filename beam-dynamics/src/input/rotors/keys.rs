@@ -10,7 +10,10 @@ use shared_geom::document::{ByHand, Nested, NestedList};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::damper_keys::{DAMPER, LAG_DAMPER};
+use super::flexbeam_keys::{FLEXBEAM, SNUBBER, TORQUE_TUBE};
 use super::hubs;
+use super::train_keys::TRAIN;
 use crate::input::moments::INERTIA;
 use crate::input::{aerodynamics, blades};
 
@@ -64,7 +67,8 @@ keys! {
     pub(super) PITCH_LINK: Nested = "pitch_link", [OneTable(&PITCH_LINK_TABLE)], optional, "";
     /// The velocity that the rotor induces: an `[[inflow]]` of its name about its shaft.
     pub(super) INFLOW: ByHand = "inflow", [OneTable(&aerodynamics::OF_ROTOR)], optional, "";
-    with INERTIA.schema;
+    with INERTIA.schema, FLEXBEAM.schema, TORQUE_TUBE.schema, SNUBBER.schema,
+        LAG_DAMPER.schema, TRAIN.schema;
 }
 
 /// Springs, dampers and stops of the tilt.
@@ -92,9 +96,7 @@ keys! {
     /// Distance from the center of the hub along the blade; without it the offset of the previous
     /// hinge, or of the root.
     pub(super) OFFSET: Option<f64> = "offset", [Quantity(Dimension::LENGTH)], optional, "0.2";
-    /// Damper by a curve of moment over angular velocity.
-    pub(super) DAMPER: Nested = "damper", [OneTable(&DAMPER_TABLE)], optional, "";
-    with STIFFNESS.schema, DAMPING.schema, STOP.schema;
+    with STIFFNESS.schema, DAMPING.schema, STOP.schema, DAMPER.schema;
 }
 
 /// Words of the kinds of hinges.
@@ -127,17 +129,6 @@ keys! {
     /// Angle over which the contact begins.
     pub(super) WIDTH: f64 = "width", [Positive(Dimension::ANGLE)],
         or "\"0.1 deg\"" = 0.1_f64.to_radians(), "0.2";
-}
-
-keys! {
-    /// Moment against the motion for each angular velocity, linear between them and beyond.
-    DAMPER_TABLE = "damper = { ... }";
-    /// Ascending angular velocities, at least two.
-    pub(super) RATES: Vec<f64> = "rates", [Quantities(Dimension::ROTATION_SPEED)], required,
-        "[\"-1 rad/s\", 0, \"1 rad/s\"]";
-    /// The moment at each.
-    pub(super) MOMENTS: Vec<f64> = "moments", [Quantities(Dimension::MOMENT)], required,
-        "[-900, 0, 900]";
 }
 
 keys! {

@@ -6,16 +6,16 @@ use shared_geom::units::Dimension;
 use std::collections::BTreeSet;
 
 use super::arms::PITCH;
-use super::base::{Hinge, Lump, Restraint, Stop};
+use super::base::{Base, Hinge, Lump, Restraint, Stop};
 use super::context::Context;
 use super::controls::{self, Pitch, Wanted};
+use super::damper_parts;
 use super::distributor::{Actuators, Links};
 use super::keys::{
     ACTUATORS, AZIMUTHS, BASE_BELOW, BASE_RADIUS, BELOW, BLADE, COLLECTIVE, CONTROL_STIFFNESS,
-    COSINE, DAMPER, DAMPING, DELTA_3, HARMONIC, HINGES, HORN, INDIVIDUAL, INFLOW, KIND, KINDS,
-    LINK_DAMPING, LINK_STIFFNESS, LOWER, MOMENTS, OFFSET, ORDER, PITCH_LINK, PLATE, RADIUS, RATES,
-    SINE, STIFFNESS, STOP, STOP_DAMPING, STOP_STIFFNESS, SWASHPLATE, TILT, UPPER, WIDTH, YOKE,
-    YOKE_MASS,
+    COSINE, DAMPING, DELTA_3, HARMONIC, HINGES, HORN, INDIVIDUAL, INFLOW, KIND, KINDS,
+    LINK_DAMPING, LINK_STIFFNESS, LOWER, OFFSET, ORDER, PITCH_LINK, PLATE, RADIUS, SINE, STIFFNESS,
+    STOP, STOP_DAMPING, STOP_STIFFNESS, SWASHPLATE, TILT, UPPER, WIDTH, YOKE, YOKE_MASS,
 };
 use super::pitch::{Control, Link};
 use super::plate::Plate;
@@ -97,7 +97,7 @@ pub(super) fn blade(table: &Table<'_>) -> Option<Blade> {
 }
 
 /// The keys of a table that another card has, which checks their values; notes unknown ones.
-fn passed_on(table: &Table<'_>, of: &'static TableSchema) -> Vec<(String, Content)> {
+pub(super) fn passed_on(table: &Table<'_>, of: &'static TableSchema) -> Vec<(String, Content)> {
     let known: BTreeSet<_> = of.all_keys().map(|key| key.name).collect();
     let keys = known.into_iter();
     let found = keys.filter_map(|key| Some((key.to_owned(), table.copied(key)?)));
@@ -191,7 +191,7 @@ pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
     table.each(&HINGES, |table| {
         let (kind, offset) = (table.get(&KIND), table.get(&OFFSET));
         let restraint = restraint(table);
-        let curve = table.nested(&DAMPER, curve);
+        let damper = damper_parts::of_hinge(table);
         let (kind, offset) = (kind?, offset?);
         let default = if before.is_finite() { before } else { root };
         let offset = offset.unwrap_or(default);
@@ -210,43 +210,21 @@ pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
             kind,
             offset,
             restraint: restraint?,
-            curve: curve?.unwrap_or_default(),
+            damper: damper?,
         })
     })
 }
 
 /// Adds a pitch bearing at the root, unless there is one.
-pub(super) fn add_bearing(hinges: &mut Vec<Hinge>, root: f64) {
+fn add_bearing(hinges: &mut Vec<Hinge>, root: f64) {
     if hinges.iter().all(|hinge| hinge.kind != PITCH) {
         hinges.push(Hinge {
             kind: PITCH,
             offset: root,
             restraint: Restraint::default(),
-            curve: Vec::new(),
+            damper: None,
         });
     }
-}
-
-/// The rows of the curve of a damper \[rad/s, N m\].
-fn curve(table: &Table<'_>) -> Option<Vec<[f64; 2]>> {
-    let (rates, moments) = (table.get(&RATES), table.get(&MOMENTS));
-    let (rates, moments) = (rates?, moments?);
-    let ascends = rates.windows(2).all(|pair| pair[0] < pair[1]);
-    if rates.len() != moments.len() || rates.len() < 2 || !ascends {
-        let problem = RotorProblem::Curve {
-            rates: rates.len(),
-            moments: moments.len(),
-        };
-        table.note(&RATES, &problem);
-        return None;
-    }
-    Some(
-        rates
-            .into_iter()
-            .zip(moments)
-            .map(|(rate, moment)| [rate, moment])
-            .collect(),
-    )
 }
 
 /// The control of the pitch.
@@ -259,6 +237,20 @@ pub(super) struct Controls {
 }
 
 impl Controls {
+    /// Gives a rotor the pitch of the undeformed model and a pitch bearing. Flexbeams are built
+    /// without pitch and have no bearing.
+    pub fn build_in(&mut self, base: &mut Base, root: f64) {
+        let Some(pitch) = &mut self.pitch else {
+            return;
+        };
+        if base.has_flexbeam {
+            pitch.built_in = 0.0;
+            return;
+        }
+        base.pitch = pitch.built_in * base.units.angle;
+        add_bearing(&mut base.hinges, root);
+    }
+
     /// The control of the bearings of a hub, which may tilt.
     pub fn control(&self, tilts: bool) -> Control {
         match (&self.pitch, &self.plate, self.link) {

@@ -71,18 +71,26 @@ pub(super) fn cards(
             let link = bearing(&restraint).with("angle", command.content());
             [link].into_iter().chain(flexure).collect()
         }
-        Control::Coupled(link) => {
-            let hub = base.hub();
-            vec![
-                bearing(&hinge.restraint),
-                base.listed("spring")
-                    .with("name", base.of_blade(k, "pitch link"))
-                    .with("nodes", Content::texts([hub.as_str(), nodes[1]]))
-                    .with("in", arm.name.as_str())
-                    .with("rotational_law", law(base, link, command)),
-            ]
-        }
+        Control::Coupled(link) => vec![
+            bearing(&hinge.restraint),
+            coupled(base, (k, nodes[1]), &arm, (link, command)),
+        ],
     }
+}
+
+/// The spring of a link from the hub to a node of blade `k`.
+pub(super) fn coupled(
+    base: &Base,
+    (k, node): (usize, &str),
+    arm: &Local,
+    (link, command): (&Link, &Sum),
+) -> Card {
+    let hub = base.hub();
+    base.listed("spring")
+        .with("name", base.of_blade(k, "pitch link"))
+        .with("nodes", Content::texts([hub.as_str(), node]))
+        .with("in", arm.name.as_str())
+        .with("rotational_law", law(base, link, command))
 }
 
 /// The spring of the bearing itself, beside the spring of the control.

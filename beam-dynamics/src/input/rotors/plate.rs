@@ -7,13 +7,12 @@
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
-use super::arms::feathering;
 use super::base::{Base, lengths, signed};
 use super::controls::{Control, Pitch, Sum};
 use super::distributor::{Actuators, Links, Position};
 use super::keys::COLLECTIVE;
 use super::problem::RotorProblem;
-use super::shaft::Drive;
+use super::shaft::Shaft;
 
 /// A plate, its actuators and the links to the blades.
 #[derive(Debug, Clone)]
@@ -67,7 +66,7 @@ impl Plate {
     }
 
     /// The plates, with the guide or the actuators of the one that does not turn.
-    pub fn cards(&self, base: &Base, pitch: &Pitch, drive: &Drive) -> Result<Vec<Card>, Located> {
+    pub fn cards(&self, base: &Base, pitch: &Pitch, shaft: &Shaft) -> Result<Vec<Card>, Located> {
         let motion = self.motion(base, pitch)?;
         let [plate, turning] = ["plate", "rotating plate"].map(|part| base.part(part));
         let (local, center) = (base.local(), Vector3::z() * -self.links.below);
@@ -90,9 +89,9 @@ impl Plate {
             bearing
                 .with("in", base.name.as_str())
                 .with("axis", Content::numbers([0.0, 0.0, 1.0]))
-                .with_some("angle", drive.angle(&base.units)),
+                .with_some("angle", shaft.angle(&base.units)),
         );
-        if let Drive::Torque(_) = drive {
+        if shaft.is_free() {
             let nodes = [base.hub(), turning];
             let nodes = [nodes[0].as_str(), &nodes[1]];
             cards.push(
@@ -145,20 +144,18 @@ impl Plate {
         Ok(cards)
     }
 
-    /// The link of blade `k`.
-    pub fn link(&self, base: &Base, k: usize) -> Option<Card> {
-        let (node, offset) = feathering(base, k)?;
+    /// The link of blade `k` to its node that has the pitch, at an offset along it \[m\].
+    pub fn link(&self, base: &Base, k: usize, (node, offset): (&str, f64)) -> Card {
         let turning = base.part("rotating plate");
         let azimuth = base.azimuth_of(k);
         let [top, bottom] = [self.links.top(azimuth, 0.0), self.links.bottom(azimuth)];
-        let (name, nodes) = (base.of_blade(k, "pitch link"), [turning.as_str(), &node]);
+        let (name, nodes) = (base.of_blade(k, "pitch link"), [turning.as_str(), node]);
         let Some(stiffness) = self.stiffness else {
-            return Some(
-                base.joint(&name, "distance", &nodes)
-                    .with("in", base.name.as_str())
-                    .with("from", lengths(&bottom))
-                    .with("at", lengths(&top)),
-            );
+            return base
+                .joint(&name, "distance", &nodes)
+                .with("in", base.name.as_str())
+                .with("from", lengths(&bottom))
+                .with("at", lengths(&top));
         };
         let stiffness = Content::quantity(stiffness, "N/m");
         let law = if self.damping == 0.0 {
@@ -173,14 +170,12 @@ impl Plate {
         let center = Vector3::z() * -self.links.below;
         let [x, y] = self.links.horn;
         let ends = [bottom - center, Vector3::new(x - offset, y, 0.0)];
-        Some(
-            base.listed("rod")
-                .with("name", name)
-                .with("nodes", Content::texts(nodes))
-                .with("offsets", Content::list(ends.iter().map(lengths)))
-                .with("measure", "elongation")
-                .with("law", law),
-        )
+        base.listed("rod")
+            .with("name", name)
+            .with("nodes", Content::texts(nodes))
+            .with("offsets", Content::list(ends.iter().map(lengths)))
+            .with("measure", "elongation")
+            .with("law", law)
     }
 }
 

@@ -91,14 +91,16 @@ pub enum RotorProblem {
     },
     /// A curve of a damper that is no function of the rate.
     #[error(
-        "the damper has {rates} rates and {moments} moments, expected as many, at least two, with \
+        "the damper has {rates} rates and {moments} {key}, expected as many, at least two, with \
          ascending rates"
     )]
     Curve {
         /// Number of rates.
         rates: usize,
-        /// Number of moments.
+        /// Number of moments or forces.
         moments: usize,
+        /// Their key.
+        key: &'static str,
     },
     /// A number of pitches that is not the number of blades.
     #[error("\"individual\" lists {found}, expected {expected}: one per blade")]
@@ -154,6 +156,18 @@ pub enum RotorProblem {
         /// Distance of the ends of the links \[m\].
         needed: f64,
     },
+    /// A snubber on a flexbeam that has no node there.
+    #[error(
+        "the snubber is at {} m, where the flexbeam has no node{}",
+        short_number(*.offset, 6),
+        nearest.map_or(String::new(), |at| format!(": the nearest is at {} m", short_number(at, 6)))
+    )]
+    NoHolder {
+        /// Offset of the snubber \[m\].
+        offset: f64,
+        /// Offset of the nearest node \[m\]; `None` for a flexbeam from a file.
+        nearest: Option<f64>,
+    },
     /// Links without a lever about the pitch axis.
     #[error("\"horn\" is on the pitch axis, expected a distance ahead or behind")]
     NoLever,
@@ -188,6 +202,14 @@ pub enum RotorProblem {
         own: f64,
         /// Speed of the start [rpm].
         start: f64,
+    },
+    /// A drive without a state of steady rotation.
+    #[error("rotor \"{name}\" has \"{key}\", which has no state of steady rotation")]
+    Unsteady {
+        /// Name of the rotor.
+        name: String,
+        /// The key.
+        key: &'static str,
     },
     /// A period in which the rotor does not turn a whole number of times.
     #[error(
@@ -233,7 +255,10 @@ impl Explain for RotorProblem {
             Self::OfBlade { key } => return Some(blade_help(key).to_owned()),
             Self::HingeOrder { .. } => {
                 "list hinges from the hub outward; \"hub_radius\" of [rotor.blade] is the radius of \
-                 the root"
+                 the root, to which flexbeam and torque tube reach"
+            }
+            Self::NoHolder { .. } => {
+                "end a piece of [rotor.flexbeam] there, or give the snubber the \"offset\" of a node"
             }
             Self::NoAzimuth { .. } => {
                 "give \"speed\", or \"angle\" as an expression, \"= 900*t^2\""
@@ -246,6 +271,10 @@ impl Explain for RotorProblem {
                  expressions: write the drive as one"
             }
             Self::Speeds { .. } => "give both the same speed",
+            Self::Unsteady { .. } => {
+                "remove it, so that the engine has the constant \"speed\" of the rotor, or compute the \
+                 motion in time from start = \"given\""
+            }
             Self::Period { .. } => {
                 "give [periodic] the \"speed\" of the rotor, or the common period of all rotors"
             }

@@ -1,9 +1,11 @@
 //! The shaft of a rotor: its hub, its bearing and its drive.
 
+use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
 use super::base::{Base, Lump, Units, lengths, signed};
-use nalgebra::Vector3;
+use super::train::{self, Train};
+use super::train_keys::{FREE_WHEEL, GOVERNOR};
 
 /// The drive of a shaft.
 #[derive(Debug, Clone)]
@@ -16,9 +18,62 @@ pub(super) enum Drive {
     Torque(Content),
 }
 
+/// A shaft.
+#[derive(Debug)]
+pub(super) struct Shaft {
+    /// The drive of its hub, or of the engine of its train.
+    pub drive: Drive,
+    /// The train between engine and hub.
+    pub train: Option<Train>,
+}
+
+impl Shaft {
+    /// Whether the angle of the hub is a result.
+    pub fn is_free(&self) -> bool {
+        self.train.is_some() || matches!(self.drive, Drive::Torque(_))
+    }
+
+    /// The speed, if it is constant but for vibrations \[rad/s\].
+    pub fn constant_speed(&self) -> Option<f64> {
+        let train = self.train.as_ref();
+        match self.drive {
+            Drive::Speed(speed) if train.is_none_or(|train| train.governor.is_none()) => {
+                Some(speed)
+            }
+            _ => None,
+        }
+    }
+
+    /// The key of a part that has no state of steady rotation, if there is one.
+    pub fn unsteady(&self) -> Option<&'static str> {
+        let train = self.train.as_ref()?;
+        match (&train.governor, train.has_free_wheel) {
+            (Some(_), _) => Some(GOVERNOR.name()),
+            (None, true) => Some(FREE_WHEEL.name()),
+            (None, false) => None,
+        }
+    }
+
+    /// The prescribed angle of the hub, if it is prescribed.
+    pub fn angle(&self, units: &Units) -> Option<Content> {
+        match self.train {
+            None => self.drive.angle(units),
+            Some(_) => None,
+        }
+    }
+
+    /// The angle of the hub \[rad\] as an expression; the reason if there is none.
+    pub fn azimuth(&self, base: &Base) -> Result<String, &'static str> {
+        match self.train {
+            None => self.drive.azimuth(base),
+            Some(_) => Ok(sensor(&base.name)),
+        }
+    }
+}
+
 impl Drive {
     /// The prescribed angle, if it is prescribed.
-    pub fn angle(&self, units: &Units) -> Option<Content> {
+    fn angle(&self, units: &Units) -> Option<Content> {
         match self {
             Self::Speed(speed) => {
                 let rate = speed * units.time / units.angle;
@@ -30,7 +85,7 @@ impl Drive {
     }
 
     /// The angle \[rad\] as an expression; the reason if there is none.
-    pub fn azimuth(&self, base: &Base) -> Result<String, &'static str> {
+    fn azimuth(&self, base: &Base) -> Result<String, &'static str> {
         let units = &base.units;
         match self {
             Self::Speed(speed) => Ok(format!("{}*t", signed(speed * units.time))),
@@ -51,7 +106,7 @@ pub(super) const SENSOR_UNIT: &str = "rad";
 
 /// The hub node with its body, its bearing on the shaft and the drive; `senses` if other parts
 /// need the azimuth.
-pub(super) fn cards(base: &Base, drive: &Drive, body: Option<&Lump>, senses: bool) -> Vec<Card> {
+pub(super) fn cards(base: &Base, own: &Shaft, body: Option<&Lump>, senses: bool) -> Vec<Card> {
     let (hub, shaft) = (base.hub(), base.part("shaft"));
     let mut cards = vec![base.node(&hub, &base.local(), Vector3::zeros())];
     cards.extend(body.map(|lump| base.body(&hub, lump)));
@@ -59,25 +114,17 @@ pub(super) fn cards(base: &Base, drive: &Drive, body: Option<&Lump>, senses: boo
         base.joint_to_mast(&shaft, "revolute", &hub)
             .with("at", lengths(&Vector3::zeros()))
             .with("axis", Content::numbers([0.0, 0.0, 1.0]))
-            .with_some("angle", drive.angle(&base.units)),
+            .with_some("angle", own.angle(&base.units)),
     );
-    let Drive::Torque(torque) = drive else {
-        return cards;
+    let torque = match &own.drive {
+        Drive::Torque(torque) => Some(torque),
+        _ => None,
     };
-    let load = match &base.carrier {
-        None => base.listed("load").with("node", hub.as_str()),
-        Some(carrier) => base
-            .listed("internal_force")
-            .with("name", base.part("torque"))
-            .with("nodes", Content::texts([carrier.as_str(), &hub])),
-    };
-    cards.push(
-        load.with("in", base.name.as_str())
-            .with("moment", Content::numbers([0.0, 0.0, 1.0]))
-            .with("constant", true)
-            .with("drive", torque.clone()),
-    );
-    if senses {
+    match &own.train {
+        Some(train) => cards.extend(train.cards(base, (own.drive.angle(&base.units), torque))),
+        None => cards.extend(torque.map(|torque| train::torque(base, &hub, torque.clone()))),
+    }
+    if senses && own.is_free() {
         cards.push(
             Card::single(["sensors", &sensor(&base.name)], base.line)
                 .with("quantity", "joint_angle")

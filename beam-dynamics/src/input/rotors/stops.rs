@@ -1,4 +1,4 @@
-//! Stops and dampers of a hinge, as springs with laws of the angle x about its axis.
+//! Stops of a hinge, as springs with laws of the angle x about its axis.
 //!
 //! A stop at the angle `x_u` with the stiffness k, the damping c and the width w of the contact
 //! resists, with d = x - x_u, by
@@ -8,11 +8,7 @@
 //! ```
 //!
 //! which is smooth, at most k w/2 at the stop, and `k w^2 / (4 |d|)` far from it; a lower stop is its
-//! mirror image. A curve of a damper through `(v_i, m_i)` with the slopes `s_i` behind them is
-//!
-//! ```text
-//! M = m_0 + s_0 (v - v_0) + sum_i (s_i - s_(i-1)) max(0, v - v_i)
-//! ```
+//! mirror image.
 
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
@@ -50,51 +46,26 @@ pub(super) fn stop_moment(stop: &Stop, [x, v]: [&str; 2], units: &Units) -> Stri
     sides.join(" + ")
 }
 
-/// Moment of a damper with a curve at the rate `v` \[rad/s\], an expression, in the declared unit.
-pub(super) fn damper_moment(curve: &[[f64; 2]], v: &str, units: &Units) -> String {
-    let slopes: Vec<_> = curve
-        .windows(2)
-        .map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]))
-        .collect();
-    let mut before = 0.0;
-    let mut text = String::new();
-    for (number, (slope, [rate, moment])) in slopes.iter().zip(curve).enumerate() {
-        let [change, moment] = [slope - before, *moment].map(|value| signed(value / units.moment));
-        let rate = signed(*rate);
-        text += &match number {
-            0 => format!("{moment} + {change}*({v} - {rate})"),
-            _ => format!(" + {change}*max(0, {v} - {rate})"),
-        };
-        before = *slope;
-    }
-    text
-}
-
-/// Springs of the stops and of the damper of a hinge between two nodes, at an offset along a
-/// frame; the first axis of `axes`, a rotation vector, is the axis of the hinge.
+/// The spring of the stops of a hinge between two nodes, in a frame; the first axis of `axes`, a rotation vector, is the axis of the hinge.
 pub(super) fn cards(
     base: &Base,
     (name, nodes): (&str, [&str; 2]),
     (local, axes): (&Local, Vector3<f64>),
     hinge: &Hinge,
-) -> Vec<Card> {
+) -> Option<Card> {
     let units = &base.units;
     // In expressions x is in the declared unit of angle, its rate per declared unit of time.
     let x = format!("x*{}", units.angle);
     let v = format!("x_rate*{}", units.angle / units.time);
-    let spring = |what: &str, force: String| {
+    let stop = hinge.restraint.stop.as_ref()?;
+    Some(
         base.listed("spring")
-            .with("name", format!("{name} {what}"))
+            .with("name", format!("{name} stop"))
             .with("nodes", Content::texts(nodes))
             .with("in", local.name.as_str())
             .with("orientation", angles(&axes))
-            .with("rotational_law", law(force))
-    };
-    let stop = hinge.restraint.stop.as_ref();
-    let stop = stop.map(|stop| spring("stop", stop_moment(stop, [&x, &v], units)));
-    let damper = !hinge.curve.is_empty();
-    let damper = damper.then(|| spring("damper", damper_moment(&hinge.curve, &v, units)));
-    stop.into_iter().chain(damper).collect()
+            .with("rotational_law", law(stop_moment(stop, [&x, &v], units))),
+    )
 }
 
 /// Rotation vector that turns the first axis of a blade to its flap axis.

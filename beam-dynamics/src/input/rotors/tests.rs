@@ -10,11 +10,14 @@ use crate::input::{Input, declare, parse, schema};
 use crate::model::{NodeMotion, State};
 use crate::result::{AcceptedStep, Recorder};
 
+mod bearingless;
+mod dampers;
 mod expansion;
 mod frequencies;
 mod motion;
 mod problems;
 mod restraints;
+mod train;
 
 /// A stiff, light strip.
 const STRIP: &str = "
@@ -72,6 +75,7 @@ fn expanded(text: &str) -> String {
 struct Run {
     model: Model,
     instants: Vec<(f64, State)>,
+    remarks: Vec<String>,
 }
 
 impl Recorder for Run {
@@ -88,9 +92,11 @@ impl Run {
         let mut run = Self {
             model: input.model.clone(),
             instants: Vec::new(),
+            remarks: Vec::new(),
         };
         let outcome = transient(&input.model, &settings, None, &mut run, &|| 0.0);
         assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        run.remarks = outcome.remarks;
         run
     }
 

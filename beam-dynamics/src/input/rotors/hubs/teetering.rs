@@ -37,7 +37,7 @@ fn yoke(base: &Base) -> (String, Vec<Card>) {
         kind: 0,
         offset: 0.0,
         restraint: base.tilt,
-        curve: Vec::new(),
+        damper: None,
     };
     cards.extend(stops::cards(
         base,

@@ -5,7 +5,7 @@ use crate::analysis::modes::modes;
 use super::{STRIP, expanded, read, text};
 
 /// Keys of rotors of each kind that use all of their parts.
-const KINDS: [(&str, &str); 8] = [
+const KINDS: [(&str, &str); 12] = [
     (
         "rigid",
         "speed = 300\n[rotor.swashplate]\ncollective = 8\nsine = \"= -2*t\"\n",
@@ -52,6 +52,34 @@ const KINDS: [(&str, &str); 8] = [
         "gimballed",
         "speed = 300\nlink = 0.1\n[rotor.tilt]\nstiffness = 30\nstop = { upper = 8, stiffness = 4e3 }\n\
          [rotor.swashplate]\ncollective = 4\nsine = 1\n[rotor.pitch_link]\nstiffness = 900\ndelta_3 = -15\n",
+    ),
+    (
+        "bearingless",
+        "speed = 300\nazimuth = 20\n[rotor.flexbeam]\noffset = 0.05\nproperties = \"strip\"\n\
+         piece = [{ length = 0.1, elements = 1 }]\n[rotor.torque_tube]\nmass = 1\ncenter = 0.1\n\
+         inertia = [1e-3, 1e-2, 1e-2]\n[rotor.snubber]\noffset = 0.1\nto = \"flexbeam\"\nstiffness = [0, 1e4, 1e6]\n\
+         damping = [0, 10, 0]\n[rotor.swashplate]\ncollective = 4\nsine = \"= -2*t\"\n",
+    ),
+    (
+        "bearingless",
+        "torque = 3\n[rotor.flexbeam]\noffset = 0.05\nproperties = \"strip\"\n\
+         piece = [{ length = 0.15, elements = 1 }]\n[rotor.torque_tube]\noffset = 0.1\n\
+         properties = \"strip\"\npiece = [{ length = 0.1, elements = 1 }]\n[rotor.snubber]\n\
+         [rotor.swashplate]\ncollective = \"= 8*t\"\n[rotor.swashplate.plate]\nbelow = 0.15\n\
+         horn = [0.1, 0.1]\n",
+    ),
+    (
+        "articulated",
+        "speed = 300\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[[rotor.hinge]]\nkind = \"lag\"\n\
+         damper = { stiffness = 40, loss_factor = 0.3, frequency = 3, static_stiffness = 30 }\n\
+         [rotor.lag_damper]\nhub = [0.05, 0.1, 0]\nblade = [0.2, 0.1, 0.01]\nstiffness = 4e3\n\
+         loss_factor = 0.3\nfrequency = 3\nstatic_stiffness = 3e3\n",
+    ),
+    (
+        "rigid",
+        "speed = 300\n[rotor.drive]\ninertia = 0.1\ngear = 5\nstiffness = 4e3\ndamping = 3\n\
+         free_wheel = true\ngovernor = { proportional = \"40 N*m*s\", integral = 30, largest = 900 }\n\
+         [rotor.swashplate]\nsine = 2\n[rotor.pitch_link]\nstiffness = 900\n",
     ),
 ];
 

@@ -168,6 +168,27 @@ fn wrong_rotors_are_explained() {
     }
 }
 
+// A rotor that is refused has no parts: what uses them is not reported, all else is.
+#[test]
+fn refused_rotors_are_the_only_problem() {
+    let cards = "[sensors.up]\nquantity = \"thrust\"\n[sensors.flap]\nquantity = \"joint_angle\"\n\
+                 of = \"r 1/flap\"\n[[load]]\nnode = \"r 2/tip\"\nforce = [0, 0, 1]\n\
+                 [[output.column]]\nname = \"hub\"\nquantity = \"reaction_force\"\nof = \"r/shaft\"\n\
+                 [[output.column]]\nname = \"air\"\nquantity = \"power\"\nof = \"r\"\n";
+    let sound = text("articulated", FLAP, &format!("{RUN}{cards}"));
+    let shown = refused(&sound.replace("blades = 3\n", ""));
+    let expected = "[[rotor]] number 1 has no \"blades\", expected a whole number of at least 1";
+    assert!(shown.ends_with(expected), "{shown}");
+    assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    let shown = refused(
+        &sound
+            .replace("blades = 3\n", "")
+            .replace("\"r 2/tip\"", "\"q/tip\""),
+    );
+    assert!(shown.contains("unknown node \"q/tip\""), "{shown}");
+    assert_eq!(shown.matches("error:").count(), 2, "{shown}");
+}
+
 /// Controls of an articulated rotor, the key and its text, and the problem that is reported there.
 const CONTROLS: &[(&str, &str)] = &[
     (
@@ -297,14 +318,29 @@ fn wrong_files_are_explained() {
     }
 }
 
+/// Rotors that use most tables.
+const RICH: [(&str, &str); 2] = [
+    (
+        "teetering",
+        "speed = 300\nundersling = 0.1\n[rotor.tilt]\nstiffness = 4\n[[rotor.hinge]]\nkind = \"flap\"\n\
+         offset = 0.1\nstop = { lower = -1, stiffness = 3 }\n[rotor.swashplate]\ncollective = 4\n\
+         sine = 2\n[rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.1]\n",
+    ),
+    (
+        "bearingless",
+        "speed = 300\n[rotor.flexbeam]\noffset = 0.1\nproperties = \"strip\"\n\
+         piece = [{ length = 0.1, elements = 1 }]\n[rotor.torque_tube]\nmass = 1\n[rotor.snubber]\n\
+         to = \"flexbeam\"\ndamping = [0, 1, 0]\n[rotor.lag_damper]\nhub = [0.1, 0.1, 0]\n\
+         blade = [0.2, 0.1, 0]\nstiffness = 4\nloss_factor = 0.2\nfrequency = 3\n\
+         static_stiffness = 2\n[rotor.drive]\ninertia = 1\nstiffness = 3\nfree_wheel = true\n\
+         governor = { proportional = 3, integral = 2 }\n",
+    ),
+];
+
 // Files with lines removed, doubled, exchanged or with another word: read, or reported.
 #[test]
 fn files_of_any_content_are_read_or_reported() {
     const WORDS: [&str; 7] = ["-1", "0", "nan", "1e308", "\"= t\"", "[1, 2]", "\"x\""];
-    let keys = "speed = 300\nundersling = 0.1\n[rotor.tilt]\nstiffness = 4\n[[rotor.hinge]]\nkind = \"flap\"\n\
-                offset = 0.1\nstop = { lower = -1, stiffness = 3 }\n[rotor.swashplate]\ncollective = 4\n\
-                sine = 2\n[rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.1]\n";
-    let text = text("teetering", keys, RUN);
     let mut seed = 5_u64;
     let mut below = |end: usize| {
         seed = seed
@@ -313,7 +349,9 @@ fn files_of_any_content_are_read_or_reported() {
         (seed >> 33) as usize % end.max(1)
     };
     let mut counts = [0; 2];
-    for _ in 0..400 {
+    for number in 0..500 {
+        let (kind, keys) = RICH[number % 2];
+        let text = text(kind, keys, RUN);
         let mut lines: Vec<_> = text.lines().map(str::to_owned).collect();
         for _ in 0..=below(2) {
             let at = 12 + below(lines.len() - 12);

@@ -5,7 +5,8 @@ use shared_geom::expression::{Expression, Jet, Names};
 use super::{read, text};
 use crate::analysis::statics::statics;
 use crate::input::rotors::base::{Stop, Units};
-use crate::input::rotors::stops::{damper_moment, stop_moment};
+use crate::input::rotors::damper::curve as damper_moment;
+use crate::input::rotors::stops::stop_moment;
 
 const UNITS: Units = Units {
     angle: 1.0,
@@ -99,7 +100,7 @@ fn dampers_follow_their_curve() {
                 [rate, 100.0 * random.next()]
             })
             .collect();
-        let text = damper_moment(&curve, "v", &UNITS);
+        let text = damper_moment(&curve, "v", 1.0);
         let at = 4.0 * random.next();
         let piece = curve[1..4].iter().filter(|point| point[0] <= at).count();
         let [[a, low], [b, high]] = [curve[piece], curve[piece + 1]];

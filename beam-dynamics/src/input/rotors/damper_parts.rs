@@ -1,0 +1,110 @@
+//! The tables of dampers.
+
+use shared_geom::document::{Key, Table};
+use std::f64::consts::TAU;
+
+use super::damper::Ends;
+use super::damper_keys::{
+    BLADE_END, DAMPER, DAMPING, FORCES, FREQUENCY, HUB_END, LAG_DAMPER, LINE_REST, LINE_STIFFNESS,
+    LOSS_FACTOR, MOMENTS, ON, RATES, STIFFNESS, TURNING_REST, TURNING_STIFFNESS, VELOCITIES,
+};
+use super::damper_law::DamperLaw;
+use super::problem::RotorProblem;
+
+/// Reads the damper of a hinge; `Some(None)` without it.
+pub(super) fn of_hinge(table: &Table<'_>) -> Option<Option<DamperLaw>> {
+    table.nested(&DAMPER, |table| {
+        if is_elastomer(table) {
+            elastomer(table, &TURNING_STIFFNESS, &TURNING_REST)
+        } else {
+            curve(table, [&RATES, &MOMENTS])
+        }
+    })
+}
+
+/// A damper between hub and blade.
+#[derive(Debug)]
+pub(super) struct LagDamper {
+    /// Its ends.
+    pub ends: Ends,
+    /// Whether the root carries its end; `None` if the file does not say.
+    pub on_root: Option<bool>,
+    /// Its law.
+    pub law: DamperLaw,
+}
+
+/// Reads `[rotor.lag_damper]`; `Some(None)` without it.
+pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>> {
+    table.nested(&LAG_DAMPER, |table| {
+        let (hub, blade, on) = (table.get(&HUB_END), table.get(&BLADE_END), table.get(&ON));
+        let law = if is_elastomer(table) {
+            elastomer(table, &LINE_STIFFNESS, &LINE_REST)
+        } else if table.has(&VELOCITIES) || table.has(&FORCES) {
+            curve(table, [&VELOCITIES, &FORCES])
+        } else {
+            linear(table, name)
+        };
+        let (hub, blade) = (hub?, blade?);
+        Some(LagDamper {
+            ends: Ends { hub, blade },
+            on_root: on?.map(|index| index == 1),
+            law: law?,
+        })
+    })
+}
+
+fn linear(table: &Table<'_>, name: &str) -> Option<DamperLaw> {
+    let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
+    let law = [stiffness?, damping?];
+    if law == [0.0, 0.0] {
+        let (name, key, needed) = (name.to_owned(), LAG_DAMPER.name(), DAMPING.name());
+        table.note("", &RotorProblem::Idle { name, key, needed });
+        return None;
+    }
+    Some(DamperLaw::Linear(law))
+}
+
+fn is_elastomer(table: &Table<'_>) -> bool {
+    let keys = [LOSS_FACTOR.name(), FREQUENCY.name(), LINE_REST.name()];
+    keys.into_iter().any(|key| table.has(key))
+}
+
+fn elastomer(
+    table: &Table<'_>,
+    stiffness: &Key<f64>,
+    rest: &Key<Option<f64>>,
+) -> Option<DamperLaw> {
+    let (stiffness, loss_factor) = (table.get(stiffness), table.get(&LOSS_FACTOR));
+    let (frequency, at_rest) = (table.get(&FREQUENCY), table.get(rest));
+    let (stiffness, at_rest) = (stiffness?, at_rest?);
+    if at_rest.is_some_and(|at_rest| at_rest >= stiffness) {
+        table.wrong(rest, "less than \"stiffness\"");
+        return None;
+    }
+    let frequency = frequency? * TAU;
+    Some(DamperLaw::elastomer(
+        [stiffness, loss_factor?],
+        frequency,
+        at_rest,
+    ))
+}
+
+/// A curve of a damper.
+fn curve(table: &Table<'_>, [rates_key, forces_key]: [&Key<Vec<f64>>; 2]) -> Option<DamperLaw> {
+    let (rates, forces) = (table.get(rates_key), table.get(forces_key));
+    let (rates, forces) = (rates?, forces?);
+    let ascends = rates.windows(2).all(|pair| pair[0] < pair[1]);
+    if rates.len() != forces.len() || rates.len() < 2 || !ascends {
+        let problem = RotorProblem::Curve {
+            rates: rates.len(),
+            moments: forces.len(),
+            key: forces_key.name(),
+        };
+        table.note(rates_key, &problem);
+        return None;
+    }
+    let points = rates.into_iter().zip(forces);
+    Some(DamperLaw::Curve(
+        points.map(|(rate, force)| [rate, force]).collect(),
+    ))
+}
