@@ -184,9 +184,12 @@ impl Component {
 
 /// The name of the deformation of a damper in expressions.
 fn signal(name: &str) -> String {
-    let letter = |letter: char| match letter.is_ascii_alphanumeric() {
-        true => letter,
-        false => '_',
+    let letter = |letter: char| {
+        if letter.is_ascii_alphanumeric() {
+            letter
+        } else {
+            '_'
+        }
     };
     name.chars().map(letter).collect()
 }

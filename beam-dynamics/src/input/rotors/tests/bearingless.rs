@@ -134,9 +134,10 @@ fn pitch_twists_the_flexbeam_against_the_link() {
     let (mut low, mut high) = (0.0, 0.5);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        match moment(middle) > 20.0 / LENGTH * middle {
-            true => low = middle,
-            false => high = middle,
+        if moment(middle) > 20.0 / LENGTH * middle {
+            low = middle
+        } else {
+            high = middle
         }
     }
     // A tenth of the displacement of the horn is in the link: 20/0.5 against 2e4 0.1^2.
