@@ -192,7 +192,7 @@ impl Reading {
                 component,
             } => {
                 let section = observed.sections.get(*point)?;
-                let all = if strain {
+                let all = if *strain {
                     &section.strain
                 } else {
                     &section.internal_force
@@ -245,7 +245,7 @@ impl Reading {
         };
         let mut reactions = observed.reactions.iter();
         let reaction = reactions.find(|reaction| reaction.node == *node)?;
-        let vector = if moment {
+        let vector = if *moment {
             &reaction.moment
         } else {
             &reaction.force

@@ -3,7 +3,7 @@
 use super::boundary::Boundary;
 use super::coincident::coincident_nodes;
 use super::components::{check_connected, part_of_each_cell};
-use super::contact::{Contacts, contacts};
+use super::contact::contacts;
 use super::findings::{DoubledNodes, HangingNode, NarrowGap, Seam};
 use super::orientation::orient;
 use super::plane::PlaneMesh;

@@ -181,7 +181,7 @@ fn inward(segments: &[&Segment<'_>], chain: &[(usize, bool)], notes: &mut Notes)
     let mut is_fine = true;
     for (i, is_back) in chain {
         let segment = segments[*i];
-        let (inner, word) = if is_back {
+        let (inner, word) = if *is_back {
             (Side::Left, "left")
         } else {
             (Side::Right, "right")
