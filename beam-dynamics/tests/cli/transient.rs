@@ -92,7 +92,7 @@ fn a_run_writes_its_tables_figures_and_effort() {
     let table = folder.read("results/a.transient.csv");
     assert_eq!(
         table.lines().next().unwrap(),
-        "time [s],tip_x [mm],tip_y [mm],tip_z [mm],held [N*m],bending [N*m],pull [kN],energy [J]"
+        "time [s],tip_x [mm],tip_y [mm],tip_z [mm],held [N m],bending [N m],pull [kN],energy [J]"
     );
     assert_eq!(table.lines().count(), 27);
     let last = row(&table, 25);

@@ -168,13 +168,13 @@ pub(in crate::input) const KINDS: [Kind; 61] = [
         "momentum",
         Source::Momentum { is_angular: false },
         MOMENTUM,
-        "kg*m/s",
+        "kg m/s",
     ),
     (
         "angular_momentum",
         Source::Momentum { is_angular: true },
         Dimension::TURNING_DAMPER,
-        "kg*m^2/s",
+        "kg m^2/s",
     ),
     (
         "internal_force",
@@ -198,7 +198,7 @@ pub(in crate::input) const KINDS: [Kind; 61] = [
         "reaction_moment",
         Source::Reaction { is_moment: true },
         Dimension::MOMENT,
-        "N*m",
+        "N m",
     ),
     (
         "joint_displacement",
@@ -252,7 +252,7 @@ pub(in crate::input) const KINDS: [Kind; 61] = [
         "spring_moment",
         Source::Spring(SpringVector::Moment),
         Dimension::MOMENT,
-        "N*m",
+        "N m",
     ),
     (
         "voltage",
@@ -372,7 +372,7 @@ pub(in crate::input) const KINDS: [Kind; 61] = [
         "torque",
         Source::Rotor(RotorQuantity::Torque),
         Dimension::MOMENT,
-        "N*m",
+        "N m",
     ),
     (
         "power",

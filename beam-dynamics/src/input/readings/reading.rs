@@ -273,7 +273,7 @@ impl Reading<'_> {
         let about = if strain {
             (CURVATURE, "1/m")
         } else {
-            (Dimension::MOMENT, "N*m")
+            (Dimension::MOMENT, "N m")
         };
         let found = components?.into_iter().map(|component| {
             let (dimension, unit) = if component < 3 {

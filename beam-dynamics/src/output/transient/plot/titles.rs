@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn units_state_their_quantities() {
-        let titles = ["N*m", "mm", "rpm", "J", "-", "Pa"].map(|unit| title(&[], &[], unit, 1e3));
+        let titles = ["N m", "mm", "rpm", "J", "-", "Pa"].map(|unit| title(&[], &[], unit, 1e3));
         let expected = [
             "moment [N m]",
             "length [mm]",
