@@ -31,13 +31,11 @@ mod cards;
 mod files;
 mod flaps;
 mod line;
-mod mach;
 mod rotor;
 mod stations;
 
 pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
-pub(super) use mach::remarks as mach_remarks;
 
 use flaps::{FLAPS, Flap};
 use rotor::Rotor;

@@ -36,6 +36,11 @@ impl StripPolar {
         }
     }
 
+    /// The section.
+    pub fn section(&self) -> &Section {
+        &self.section
+    }
+
     /// The same with a part of its lift \[-\].
     pub fn with_lift(self, lift: f64) -> Self {
         Self { lift, ..self }
