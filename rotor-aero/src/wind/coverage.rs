@@ -33,6 +33,40 @@ pub struct TooSmall {
     pub remedy: &'static str,
 }
 
+/// A side of a box.
+#[derive(Clone, Copy)]
+struct Side {
+    what: &'static str,
+    unit: &'static str,
+    remedy: &'static str,
+}
+
+const WIDTH: Side = Side {
+    what: "half the width",
+    unit: "m",
+    remedy: "make the box wider, or extend it to points outside",
+};
+const TOP: Side = Side {
+    what: "the top",
+    unit: "m",
+    remedy: "make the box higher or raise it, or extend it to points outside",
+};
+const BOTTOM: Side = Side {
+    what: "the bottom",
+    unit: "m",
+    remedy: "make the box higher or lower it, add tower points, or extend it to points outside",
+};
+const DURATION: Side = Side {
+    what: "the duration",
+    unit: "s",
+    remedy: "make a longer box, or one that is periodic",
+};
+const FIRST: Side = Side {
+    what: "the position of the first plane",
+    unit: "m",
+    remedy: "shift the box downwind by the radius, or start later",
+};
+
 impl Explain for TooSmall {
     fn help(&self) -> Option<String> {
         Some(self.remedy.to_owned())
@@ -45,7 +79,19 @@ impl TurbulenceBox {
     pub fn uncovered(&self, radius: f64, hub_height: f64, duration: f64) -> Vec<TooSmall> {
         let g = self.grid();
         let slack = SLACK * g.lateral_step.max(g.vertical_step);
-        let side = |what, unit, [found, limit]: [f64; 2], is_least: bool, remedy| {
+        let bottom = if g.tower > 0 { 0.0 } else { g.bottom };
+        let mut sides = vec![
+            (WIDTH, [g.half_width(), radius]),
+            (TOP, [g.top(), hub_height + radius]),
+            (BOTTOM, [bottom, hub_height - radius]),
+        ];
+        if !g.periodic {
+            let needed = duration + (self.shift() + radius) / g.speed;
+            sides.push((DURATION, [g.duration(), needed]));
+            sides.push((FIRST, [self.shift(), radius]));
+        }
+        let small = |(side, [found, limit]): (Side, [f64; 2])| {
+            let is_least = side.what != BOTTOM.what;
             let missing = if is_least {
                 limit - found
             } else {
@@ -54,55 +100,14 @@ impl TurbulenceBox {
             let is_small = missing.is_nan() || missing > slack;
             is_small.then(|| TooSmall {
                 name: self.name().to_owned(),
-                what,
-                unit,
+                what: side.what,
+                unit: side.unit,
                 found,
                 limit,
                 is_least,
-                remedy,
+                remedy: side.remedy,
             })
         };
-        let bottom = if g.tower > 0 { 0.0 } else { g.bottom };
-        let mut sides = vec![
-            side(
-                "half the width",
-                "m",
-                [g.half_width(), radius],
-                true,
-                "make the box wider, or extend it to points outside",
-            ),
-            side(
-                "the top",
-                "m",
-                [g.top(), hub_height + radius],
-                true,
-                "make the box higher or raise it, or extend it to points outside",
-            ),
-            side(
-                "the bottom",
-                "m",
-                [bottom, hub_height - radius],
-                false,
-                "make the box higher or lower it, add tower points, or extend it to points outside",
-            ),
-        ];
-        if !g.periodic {
-            let needed = duration + (self.shift() + radius) / g.speed;
-            sides.push(side(
-                "the duration",
-                "s",
-                [g.duration(), needed],
-                true,
-                "make a longer box, or one that is periodic",
-            ));
-            sides.push(side(
-                "the position of the first plane",
-                "m",
-                [self.shift(), radius],
-                true,
-                "shift the box downwind by the radius, or start later",
-            ));
-        }
-        sides.into_iter().flatten().collect()
+        sides.into_iter().filter_map(small).collect()
     }
 }
