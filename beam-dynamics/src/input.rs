@@ -439,8 +439,13 @@ fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) 
     let (Some(hub), Some(air)) = (builder.hub(), builder.aerodynamics().used_air()) else {
         return;
     };
-    let remarks = strips::mach_remarks(builder, air, analyses.highest_start());
     let rotation = hub.frame_rotation();
+    let blades = builder.air_blades().iter();
+    let limits = blades.flat_map(|blade| {
+        let limits = blade.mach_limits.iter();
+        limits.map(|limit| (blade.name.as_str(), limit))
+    });
+    aerodynamics::check_mach(root, air, (&rotation, analyses.highest_start()), limits);
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
     let end = analyses.times().map(|[_, end]| end);
     let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
@@ -449,7 +454,6 @@ fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) 
     if let Some(end) = end {
         aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
     }
-    builder.add_remarks(remarks);
 }
 
 /// The input if the model is complete.

@@ -33,12 +33,14 @@ mod flap_tests;
 #[cfg(test)]
 mod friction_tests;
 mod linear;
+mod mach;
 mod polar;
 mod report;
 mod ring;
 
 pub use crate::unsteady::{Flap, SectionModel};
 pub use linear::StripJacobian;
+pub use mach::BeyondMach;
 pub use report::{ReportNumber, StripReport};
 
 use linear::Numbers;
@@ -179,6 +181,8 @@ pub struct StripDesign {
 pub struct Strip {
     chord: f64,
     polar: StripPolar,
+    /// Largest Mach number for which its airfoils have values \[-\].
+    largest_mach: f64,
     model: SectionModel,
     inflow: Option<StripInflow>,
     radial_drag: bool,
@@ -244,8 +248,9 @@ impl Strip {
             of_inflow: of_inflow.len(),
             states: of_inflow.into_iter().chain(own).collect(),
             chord: design.chord,
-            polar: StripPolar::new(design.section),
-            model: design.model,
+            largest_mach: mach::largest(&design.section),
+            model: design.model.of_section(&design.section),
+            polar: StripPolar::new(design.section, &design.model),
             inflow: design.inflow,
             radial_drag: design.radial_drag,
             flap: None,

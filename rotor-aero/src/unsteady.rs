@@ -34,6 +34,7 @@ pub use lagged::Lagged;
 pub use lags::Lags;
 pub(crate) use local::smooth_step;
 pub use model::SectionModel;
+pub(crate) use model::{OF_FORMULA, OF_SPLIT};
 pub use oye::Oye;
 pub use polar::Polar;
 pub use quasi_steady::QuasiSteady;

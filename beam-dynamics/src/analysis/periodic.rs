@@ -24,6 +24,7 @@ mod floquet;
 mod flow;
 mod map;
 mod march;
+mod passes;
 mod pilot;
 mod shooting;
 mod sizes;
@@ -34,6 +35,7 @@ use border::Border;
 use content::Observer;
 use floquet::Monodromy;
 use flow::{Flow, Passed};
+use passes::Passes;
 use shooting::{Orbit, Shooting};
 
 /// Least steps of the second analysis for the estimate of errors.
@@ -71,6 +73,16 @@ pub fn periodic_from(
     settings: &PeriodicSettings,
     from: Option<&State>,
 ) -> PeriodicOutcome {
+    periodic_watched(model, settings, from, &mut |_| {})
+}
+
+/// The same; `watch` is called after each iteration or period.
+pub(super) fn periodic_watched(
+    model: &Model,
+    settings: &PeriodicSettings,
+    from: Option<&State>,
+    watch: &mut dyn FnMut(&PeriodicPass),
+) -> PeriodicOutcome {
     let mut result = PeriodicResult {
         name: model.name.clone(),
         period: settings.period,
@@ -85,7 +97,7 @@ pub fn periodic_from(
         remarks: Vec::new(),
     };
     let mut state = from.cloned();
-    let failure = find(model, settings, &mut state, &mut result).err();
+    let failure = find((model, settings), &mut state, &mut result, watch).err();
     PeriodicOutcome {
         result,
         state,
@@ -96,10 +108,10 @@ pub fn periodic_from(
 /// Finds the motion from a state, if one is given, and leaves its first state, or the last state of the
 /// search, in its place.
 fn find(
-    model: &Model,
-    settings: &PeriodicSettings,
+    (model, settings): (&Model, &PeriodicSettings),
     place: &mut Option<State>,
     result: &mut PeriodicResult,
+    watch: &mut dyn FnMut(&PeriodicPass),
 ) -> Result<(), PeriodicFailure> {
     check_memory(model, settings)?;
     let shared = independent(model, &settings.start)?;
@@ -136,11 +148,12 @@ fn find(
         (&shooting, &algebraic),
         &mut flow,
         (state, settle),
-        &mut result.passes,
+        &mut Passes::new(&mut result.passes, watch),
     );
     result.periods = flow.periods;
     let names = settings.controls.iter().map(|control| control.name.clone());
     result.controls = names.zip(border.values(state)).collect();
+    result.targets = last_reached(&result.passes);
     let found = found?;
     result.is_periodic = true;
     state.copy_from(found.first());
@@ -154,13 +167,19 @@ fn find(
     Ok(())
 }
 
+/// Means of the targets in the last pass.
+fn last_reached(passes: &[PeriodicPass]) -> Vec<f64> {
+    let last = passes.last();
+    last.map_or_else(Vec::new, |last| last.reached.clone())
+}
+
 /// Finds the motion by the requested method from a state, which becomes the last state of the search,
 /// after some periods that are marched.
 fn search(
     (shooting, algebraic): (&Shooting<'_>, &[bool]),
     flow: &mut Flow<'_>,
     (state, settle): (&mut State, usize),
-    passes: &mut Vec<PeriodicPass>,
+    passes: &mut Passes<'_>,
 ) -> Result<Found, PeriodicFailure> {
     let marched = |ends: [State; 2]| Found::Marched(Box::new(ends));
     let settings = shooting.settings;
@@ -351,7 +370,11 @@ fn coarse(
     }
     let mut flow = Flow::new(shooting.model, shooting.settings, steps, state);
     let orbit = shooting
-        .solve(&mut flow, &mut state.clone(), &mut Vec::new())
+        .solve(
+            &mut flow,
+            &mut state.clone(),
+            &mut Passes::new(&mut Vec::new(), &mut |_| {}),
+        )
         .ok()?;
     let map = &orbit.map;
     floquet::multipliers(&Monodromy { map, ..*fine }, settings.count)

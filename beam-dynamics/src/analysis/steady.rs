@@ -276,8 +276,12 @@ fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoE
             .history
             .iter()
             .any(|one| !one.correction.is_finite() || one.correction > Newton::default().largest);
-    let reason = match singular.then(|| free_motion(balance)).flatten() {
-        Some(motion) => format!(
+    let (system, conditions) = (balance.system, &balance.conditions);
+    let undefined = system.first_without_value(&balance.state, conditions);
+    let free = || singular.then(|| free_motion(balance)).flatten();
+    let reason = match undefined.map_or_else(|| free().map(Err), |found| Some(Ok(found))) {
+        Some(Ok((element, why))) => format!("\"{}\" has no value: {why}", element.label()),
+        Some(Err(motion)) => format!(
             "the tangent is singular: the loads or the rotation drive a motion without stiffness, \
              mostly {motion}"
         ),

@@ -9,12 +9,12 @@
 use shared_geom::error::Diagnostics;
 
 use crate::analysis::effects;
-use crate::analysis::periodic::periodic_from;
+use crate::analysis::periodic::periodic_watched;
 use crate::analysis::statics::{point, static_step};
 use crate::case::{Model, TrimControl, TrimMethod, TrimSettings};
 use crate::input::{Input, short_number};
 use crate::model::State;
-use crate::result::{PeriodicResult, StaticResult, TrimPoint, TrimResult};
+use crate::result::{PeriodicPass, PeriodicResult, StaticResult, TrimPoint, TrimResult};
 
 mod balanced;
 mod broyden;
@@ -64,32 +64,37 @@ struct Solved {
     failure: Option<[String; 2]>,
 }
 
+/// Progress of a trim.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrimProgress {
+    /// Number of points that are done, and of all.
+    pub points: [usize; 2],
+    /// Value of the parameter of the sweep at the present point, if there is one \[its unit\].
+    pub at: Option<f64>,
+    /// Iterations, or periods, of the present point.
+    pub passes: usize,
+    /// The last change or error, relative to its size [-].
+    pub residual: f64,
+}
+
 /// The trim requested by `settings`, of the file that `read` reads.
 pub fn trim(name: &str, settings: &TrimSettings, read: Reader<'_>) -> TrimOutcome {
-    let all = || settings.controls.iter().chain(&settings.parameters);
+    trim_watched(name, settings, read, &mut |_| {})
+}
+
+/// The same; `watch` is called after each iteration or period.
+pub fn trim_watched(
+    name: &str,
+    settings: &TrimSettings,
+    read: Reader<'_>,
+    watch: &mut dyn FnMut(TrimProgress),
+) -> TrimOutcome {
     let sweep = settings.sweep.as_ref();
     let places: Vec<_> = match sweep {
         None => vec![None],
         Some(sweep) => sweep.values.iter().copied().map(Some).collect(),
     };
-    let mut result = TrimResult {
-        name: name.to_owned(),
-        method: match settings.method {
-            TrimMethod::Shooting => "periodic motion by shooting",
-            TrimMethod::AutoPilot => "periodic motion by an auto-pilot",
-            TrimMethod::Equilibrium => "equilibrium in the turning frame",
-        },
-        sweep: sweep.map(|sweep| sweep.parameter.clone()),
-        requested: places.len(),
-        controls: all().map(|control| control.name.clone()).collect(),
-        targets: settings
-            .targets
-            .iter()
-            .map(|target| target.name.clone())
-            .collect(),
-        points: Vec::new(),
-        remarks: Vec::new(),
-    };
+    let mut result = without_points(name, settings, places.len());
     let mut search = Search {
         settings,
         read,
@@ -98,13 +103,24 @@ pub fn trim(name: &str, settings: &TrimSettings, read: Reader<'_>) -> TrimOutcom
         from: None,
     };
     let mut end = None;
-    for at in places {
+    let requested = places.len();
+    for (done, at) in places.into_iter().enumerate() {
+        let mut passes = 0;
+        let mut of_point = |pass: &PeriodicPass| {
+            passes += 1;
+            watch(TrimProgress {
+                points: [done, requested],
+                at,
+                passes,
+                residual: pass.residual,
+            });
+        };
         search.given = sweep
             .zip(at)
             .map(|(sweep, value)| (sweep.parameter.clone(), value))
             .into_iter()
             .collect();
-        let (point, last) = search.point(at);
+        let (point, last) = search.point(at, &mut of_point);
         let is_met = point.failure.is_none();
         result.points.push(point);
         end = last.or(end);
@@ -114,6 +130,26 @@ pub fn trim(name: &str, settings: &TrimSettings, read: Reader<'_>) -> TrimOutcom
         }
     }
     TrimOutcome { result, end }
+}
+
+/// The result of a trim before its first point.
+fn without_points(name: &str, settings: &TrimSettings, requested: usize) -> TrimResult {
+    let controls = settings.controls.iter().chain(&settings.parameters);
+    let targets = settings.targets.iter();
+    TrimResult {
+        name: name.to_owned(),
+        method: match settings.method {
+            TrimMethod::Shooting => "periodic motion by shooting",
+            TrimMethod::AutoPilot => "periodic motion by an auto-pilot",
+            TrimMethod::Equilibrium => "equilibrium in the turning frame",
+        },
+        sweep: settings.sweep.as_ref().map(|sweep| sweep.parameter.clone()),
+        requested,
+        controls: controls.map(|control| control.name.clone()).collect(),
+        targets: targets.map(|target| target.name.clone()).collect(),
+        points: Vec::new(),
+        remarks: Vec::new(),
+    }
 }
 
 /// The trim at one value of a parameter, from a state of a similar model and values of the controls that
@@ -130,7 +166,7 @@ pub(super) fn trim_at(
         parameters: parameters.map(<[f64]>::to_vec),
         from: from.cloned(),
     };
-    search.point(Some(given.1))
+    search.point(Some(given.1), &mut |_| {})
 }
 
 /// The search at one point, with the results of the point before.
@@ -147,14 +183,18 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The point, and its model unless the file cannot be read.
-    fn point(&mut self, at: Option<f64>) -> (TrimPoint, Option<TrimEnd>) {
+    fn point(
+        &mut self,
+        at: Option<f64>,
+        watch: &mut dyn FnMut(&PeriodicPass),
+    ) -> (TrimPoint, Option<TrimEnd>) {
         let (solved, failure, outer) = if self.settings.parameters.is_empty() {
-            match self.solved(&[]) {
+            match self.solved(&[], watch) {
                 Ok(solved) => (Some(solved), None, 0),
                 Err(failure) => (None, Some(failure), 0),
             }
         } else {
-            self.around()
+            self.around(watch)
         };
         let empty = TrimPoint {
             at,
@@ -181,7 +221,10 @@ impl Search<'_> {
     }
 
     /// Finds the parameters around the solutions of the models.
-    fn around(&mut self) -> (Option<Solved>, Option<[String; 2]>, usize) {
+    fn around(
+        &mut self,
+        watch: &mut dyn FnMut(&PeriodicPass),
+    ) -> (Option<Solved>, Option<[String; 2]>, usize) {
         let parameters = &self.settings.parameters;
         let ranges: Vec<_> = parameters.iter().map(range).collect();
         let begun = match self.parameters.clone() {
@@ -198,7 +241,7 @@ impl Search<'_> {
         let limits = (self.settings.tolerance, self.settings.iterations);
         let (stop, iterations) = {
             let mut evaluate = |x: &[f64]| {
-                let solved = self.solved(x)?;
+                let solved = self.solved(x, watch)?;
                 if let Some(failure) = &solved.failure {
                     let failure = failure.clone();
                     last = Some(solved);
@@ -253,7 +296,8 @@ impl Search<'_> {
                 )
             }
             Stop::Singular(response) => {
-                let idle = effects::idle(&response, &settings.parameters, targets);
+                let of_parameters = (&response, effects::EXACT);
+                let idle = effects::idle(of_parameters, &settings.parameters, targets);
                 idle.unwrap_or_else(|| {
                     format!("the controls do not lead to the targets: {}", worst())
                 })
@@ -270,7 +314,11 @@ impl Search<'_> {
 
     /// The solution with given values of the parameters, from the last state, or else from the start of
     /// the file.
-    fn solved(&self, parameters: &[f64]) -> Result<Solved, [String; 2]> {
+    fn solved(
+        &self,
+        parameters: &[f64],
+        watch: &mut dyn FnMut(&PeriodicPass),
+    ) -> Result<Solved, [String; 2]> {
         let names = self.settings.parameters.iter().map(|one| one.name.clone());
         let given = self
             .given
@@ -279,9 +327,9 @@ impl Search<'_> {
             .chain(names.zip(parameters.iter().copied()));
         let given: Vec<_> = given.collect();
         let again = || (self.read)(&given).map_err(unread);
-        let found = solve(again()?, self.from.as_ref());
+        let found = solve(again()?, self.from.as_ref(), watch);
         if found.failure.is_some() && self.from.is_some() {
-            Ok(solve(again()?, None))
+            Ok(solve(again()?, None, watch))
         } else {
             Ok(found)
         }
@@ -316,7 +364,7 @@ fn range(control: &TrimControl) -> Range {
 }
 
 /// Finds the controls that are unknowns of the model.
-fn solve(input: Input, from: Option<&State>) -> Solved {
+fn solve(input: Input, from: Option<&State>, watch: &mut dyn FnMut(&PeriodicPass)) -> Solved {
     let is_static = input
         .trim
         .as_ref()
@@ -325,18 +373,18 @@ fn solve(input: Input, from: Option<&State>) -> Solved {
     if is_static {
         in_equilibrium(input, from)
     } else {
-        in_motion(input, from)
+        in_motion(input, from, watch)
     }
 }
 
 /// By the periodic motion.
-fn in_motion(input: Input, from: Option<&State>) -> Solved {
+fn in_motion(input: Input, from: Option<&State>, watch: &mut dyn FnMut(&PeriodicPass)) -> Solved {
     let mut solved = Solved::nothing(input);
     let end = &mut solved.end;
     let Some(settings) = &end.input.periodic else {
         return solved;
     };
-    let outcome = periodic_from(&end.input.model, settings, from);
+    let outcome = periodic_watched(&end.input.model, settings, from, watch);
     let result = outcome.result;
     solved.controls = result.controls.iter().map(|own| own.1).collect();
     let required = settings.targets.iter().map(|target| target.value);
@@ -361,10 +409,10 @@ fn in_equilibrium(input: Input, from: Option<&State>) -> Solved {
     let (model, Some(settings)) = (&end.input.model, &end.input.trim) else {
         return solved;
     };
+    let told =
+        |failure: &balanced::NotBalanced| Some([failure.to_string(), failure.remedy().to_owned()]);
     match balanced::balanced(model, settings, from) {
-        Err(failure) => {
-            solved.failure = Some([failure.to_string(), failure.remedy().to_owned()]);
-        }
+        Err(failure) => solved.failure = told(&failure),
         Ok(found) => {
             let labels = settings.controls.iter().map(|control| &control.label);
             solved.controls = balanced::values(model, &found.state, labels);
@@ -377,6 +425,10 @@ fn in_equilibrium(input: Input, from: Option<&State>) -> Solved {
                 .collect();
             (solved.iterations, solved.residual) = (found.iterations, found.residual);
             end.state = Some(found.state.clone());
+            if let Some(failure) = balanced::beyond_bound(settings, &solved.controls) {
+                solved.failure = told(&failure);
+                return solved;
+            }
             let conditions = balanced::conditions(model, settings);
             let mut result = StaticResult::new(model, settings.speed);
             let step = static_step(model, &conditions, point(&conditions, found));

@@ -118,12 +118,7 @@ fn sources(joint: &str, from: &[String]) -> String {
     let others: Vec<_> = from.iter().filter(|name| *name != joint).collect();
     let mut words: Vec<_> = others.iter().map(|name| format!("\"{name}\"")).collect();
     if others.len() < from.len() {
-        let itself = if words.is_empty() {
-            "its other constraints"
-        } else {
-            "its other constraints"
-        };
-        words.push(itself.to_owned());
+        words.push("its other constraints".to_owned());
     }
     match &words[..] {
         [] => "nothing: its derivatives are zero".to_owned(),

@@ -185,7 +185,7 @@ pub(super) fn airfoil(arguments: &AirfoilArguments, terminal: &mut Terminal<'_>)
     let mut remarks = tables.remarks.clone();
     remarks.extend(plot.remark().filter(|_| !arguments.no_figures));
     let head = format!("{}: {format}", tables.source);
-    let mut text = airfoil_text(&head, &tables.airfoils, &remarks);
+    let (mut text, is_wrong) = airfoil_text(&head, &tables.airfoils, &remarks);
     if let Some((_, writing)) = &writing {
         list(&mut text, "Cannot be represented", &writing.lost);
         if writing.lost.is_empty() {
@@ -194,13 +194,14 @@ pub(super) fn airfoil(arguments: &AirfoilArguments, terminal: &mut Terminal<'_>)
     }
     terminal.show(&text);
     match write(arguments, writing.as_ref(), &plot) {
-        Ok(written) if written.is_empty() => DONE,
         Ok(written) => {
-            terminal.show("\nWritten\n");
+            if !written.is_empty() {
+                terminal.show("\nWritten\n");
+            }
             for file in written {
                 terminal.show(&format!("  {}\n", file.display()));
             }
-            DONE
+            if is_wrong { WRONG_INPUT } else { DONE }
         }
         Err(problem) => {
             terminal.report(&problem);

@@ -84,10 +84,15 @@ pub(super) fn write_period(
         terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
         code = NOT_REACHED;
     }
-    let found = files.harmonics(settings.harmonics);
+    // Of a motion that does not repeat they would be numbers without a meaning.
+    let found = if result.is_periodic {
+        files.harmonics(settings.harmonics)
+    } else {
+        Vec::new()
+    };
     let blades = input.model.blades.len();
     let of_rotor = match settings.revolutions() {
-        Some(revolutions) if blades > 1 => {
+        Some(revolutions) if blades > 1 && result.is_periodic => {
             output::rotor_harmonics_text(&input.output.columns, &found, [blades, revolutions])
         }
         _ => String::new(),

@@ -26,6 +26,25 @@ impl<'a> Progress<'a> {
         beside.map_or_else(|| Self::Alone(alone()), Self::Beside)
     }
 
+    /// Of a search, whose place is a text.
+    pub fn of_search(beside: Option<&'a AtomicU64>) -> Self {
+        let alone = || bar(PARTS, "{bar:40} {percent:>3} %  {msg}");
+        beside.map_or_else(|| Self::Alone(alone()), Self::Beside)
+    }
+
+    /// Shows that `part` of a search, between zero and one, is done, with its place.
+    pub fn note(&self, part: f64, place: &str) {
+        let position = (part * PARTS as f64) as u64;
+        match self {
+            Self::Alone(bar) if bar.is_hidden() => {}
+            Self::Alone(bar) => {
+                bar.set_position(position);
+                bar.set_message(place.to_owned());
+            }
+            Self::Beside(parts) => parts.store(position, Ordering::Relaxed),
+        }
+    }
+
     /// Shows that `part` of the run, between zero and one, is done, up to `time` \[s\].
     pub fn show(&self, part: f64, time: f64) {
         // A part of a run is between zero and one.

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::arguments::Results;
 use super::periodic::write_period;
+use super::progress::Progress;
 use super::terminal::Terminal;
 use super::{DONE, MissingTable, NOT_REACHED, finish, statics};
-use crate::analysis::trim::{TrimEnd, Trimmed, trim};
+use crate::analysis::trim::{TrimEnd, TrimProgress, Trimmed, trim_watched};
 use crate::case::TrimSettings;
 use crate::input::{self, Input};
 use crate::output::{self, ResultLocation};
@@ -41,7 +42,13 @@ fn trim_of(
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let read = |given: &[(String, f64)]| input::read_with(path, given);
-    let outcome = trim(&input.model.name, settings, &read);
+    let progress = Progress::of_search(terminal.part());
+    let sweep = settings.sweep.as_ref().map(|sweep| &*sweep.parameter);
+    let outcome = trim_watched(&input.model.name, settings, &read, &mut |at| {
+        let [done, all] = at.points;
+        progress.note(done as f64 / all.max(1) as f64, &shown(sweep, at));
+    });
+    progress.finish();
     let mut result = outcome.result;
     result.remarks.splice(0..0, input.remarks.iter().cloned());
     let text = output::trim_text(&result);
@@ -53,6 +60,21 @@ fn trim_of(
     }
     // Last, after the text of the last motion.
     code.max(report_failure(&result, location, terminal))
+}
+
+/// The present point and its iteration, as text.
+fn shown(sweep: Option<&str>, at: TrimProgress) -> String {
+    let [done, all] = at.points;
+    let place = match (sweep, at.at) {
+        (Some(sweep), Some(at)) => format!(", {sweep} = {}", input::short_number(at, 6)),
+        _ => String::new(),
+    };
+    format!(
+        "point {} of {all}{place}: iteration {}, off by {:.1e}",
+        done + 1,
+        at.passes,
+        at.residual
+    )
 }
 
 /// Reports the reason of a failed point.

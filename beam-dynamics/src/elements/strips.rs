@@ -16,7 +16,7 @@ mod tip;
 #[cfg(test)]
 mod tests;
 
-pub use air::Air;
+pub use air::{Air, LARGER_TABLES};
 pub use disk::{DiskInflow, Ground, RotorDisk};
 pub use driven_wind::DrivenWind;
 pub use shaft::Shaft;

@@ -90,11 +90,7 @@ pub(super) fn input(
     if !value.is_finite() {
         return Err(LinearProblem::NoValue { name, value });
     }
-    let unit = match measure {
-        Measure::Unit(unit) => si_unit(unit.dimension),
-        Measure::Declared(dimension) => si_unit(dimension),
-        Measure::Plain => "-".to_owned(),
-    };
+    let unit = unit_of(&measure);
     let scalar = Scalar::new(ScalarSpec {
         owner: name.clone(),
         unknown: Quantity::new("input", unit.clone(), 1.0),
@@ -156,23 +152,9 @@ fn readable(name: &str, builder: &ModelBuilder) -> Option<LinearPort> {
     let Read { input, measure } = builder.drives().read_by(name)?;
     Some(LinearPort {
         name: name.to_owned(),
-        unit: match measure {
-            Measure::Unit(unit) => si_unit(unit.dimension),
-            Measure::Declared(dimension) => si_unit(*dimension),
-            Measure::Plain => "-".to_owned(),
-        },
+        unit: unit_of(measure),
         scalar: input.scalar.clone(),
     })
-}
-
-/// The cards of columns.
-fn columns<'a>(root: &Table<'a>) -> Vec<Table<'a>> {
-    let output = root
-        .is_table("output")
-        .then(|| root.table("output"))
-        .flatten();
-    let listed = output.filter(|output| output.is_list("column"));
-    listed.map_or_else(Vec::new, |output| output.tables("column"))
 }
 
 /// Makes scalars of the columns among the outputs that are still unknown; `false` if one is wrong.
@@ -182,7 +164,7 @@ fn add_columns(
     builder: &mut ModelBuilder,
 ) -> bool {
     let mut is_sound = true;
-    for table in columns(root) {
+    for table in root.listed("output", "column") {
         let Some(card) = table.is_text("name").then(|| table.text("name")).flatten() else {
             continue;
         };
@@ -245,7 +227,7 @@ fn of_column(table: &Table<'_>, card: &str, builder: &ModelBuilder) -> Option<Ve
 
 /// All names that may be outputs: columns of several components by the names of their cards.
 fn known_outputs(root: &Table<'_>, builder: &ModelBuilder) -> Vec<String> {
-    let of_columns = columns(root).into_iter();
+    let of_columns = root.listed("output", "column").into_iter();
     let of_columns =
         of_columns.filter_map(|table| table.is_text("name").then(|| table.text("name"))?);
     builder
@@ -299,6 +281,15 @@ fn about(request: &LinearRequest, analyses: &mut Analyses) -> Result<LinearAbout
         speed,
         proportional,
     })
+}
+
+/// The SI unit of a measure.
+fn unit_of(measure: &Measure) -> String {
+    match measure {
+        Measure::Unit(unit) => si_unit(unit.dimension),
+        Measure::Declared(dimension) => si_unit(*dimension),
+        Measure::Plain => "-".to_owned(),
+    }
 }
 
 /// The SI unit of a dimension, `-` for a pure number.

@@ -31,13 +31,12 @@ mod cards;
 mod files;
 mod flaps;
 mod line;
-mod mach;
 mod rotor;
 mod stations;
+mod unused;
 
 pub(super) use cards::{CARD as STRIP, read as read_cards};
 pub(super) use line::BladeLine;
-pub(super) use mach::remarks as mach_remarks;
 
 use flaps::{FLAPS, Flap};
 use rotor::Rotor;
@@ -110,8 +109,12 @@ pub(super) fn read(
         }
     };
     let flaps = flaps::read(table, stations.as_ref(), builder.drives());
-    builder.add_remarks(remarks);
     let (section, points) = (table.get(&SECTION), table.get(&POINTS));
+    let model = section.and_then(|index| SectionModel::of_word(SECTIONS.get(index)?));
+    let pair = model.as_ref().zip(stations.as_ref());
+    let unused = pair.and_then(|(model, own)| unused::remark(&user, model, own.sections()));
+    remarks.extend(unused);
+    builder.add_remarks(remarks);
     let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
@@ -120,7 +123,7 @@ pub(super) fn read(
         along: Along {
             stations: stations?,
             flaps: flaps?,
-            model: SectionModel::of_word(SECTIONS.get(section?)?)?,
+            model: model?,
             points: points?,
             radial_drag: radial_drag?,
         },

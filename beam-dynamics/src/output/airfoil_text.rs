@@ -10,8 +10,8 @@ use super::blade_text::list;
 use super::text::aligned;
 use crate::input::short_number;
 
-/// The description of the airfoils of a file after a heading.
-pub fn airfoil_text(head: &str, airfoils: &[ReadAirfoil], remarks: &[String]) -> String {
+/// The description of the airfoils of a file after a heading, and whether one of them is wrong.
+pub fn airfoil_text(head: &str, airfoils: &[ReadAirfoil], remarks: &[String]) -> (String, bool) {
     let mut text = match airfoils.len() {
         1 => format!("{head}, 1 airfoil\n"),
         count => format!("{head}, {count} airfoils\n"),
@@ -30,7 +30,7 @@ pub fn airfoil_text(head: &str, airfoils: &[ReadAirfoil], remarks: &[String]) ->
     remarks.extend(own);
     list(&mut text, "Remarks", &remarks);
     list(&mut text, "Wrong", &wrong);
-    text
+    (text, !wrong.is_empty())
 }
 
 /// Problems with their remedies; of those with one remedy the first.

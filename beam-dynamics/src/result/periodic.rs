@@ -13,6 +13,8 @@ pub struct PeriodicPass {
     pub products: usize,
     /// Part of the correction that was applied [-].
     pub part: f64,
+    /// Means of the targets over the period [unit of each].
+    pub reached: Vec<f64>,
 }
 
 /// Size of the growth, in estimated errors, up to which it is not known.

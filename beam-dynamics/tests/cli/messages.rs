@@ -179,6 +179,19 @@ const FAILURES: &[(&str, &str, &[&str])] = &[
         ],
     ),
     (
+        "[[strip]]\nname = \"fin\"\nnode = \"cart\"\nfrom = [0, 0, 0]\nto = [0, 0, 1]\n\
+         forward = [-1, 0, 0]\nsection = \"quasi_steady\"\nstations = [{ at = 0, chord = 0.1, \
+         airfoil = \"naca0012\" }, { at = 1, chord = 0.1, airfoil = \"naca0012\" }]\n\
+         [air.wind]\nspeed = \"= 260 + 2000*t\"",
+        "to = 0.1\nstep = 0.001",
+        &[
+            "without a value",
+            "\"fin/strip 1\" has no value: the flow has Mach 0.80",
+            "and the table of airfoil \"NACA 0012\" is for Mach numbers from 0.15 to 0.8; add tables \
+             of larger Mach numbers to its file, or outside_mach = \"hold\" to [air]",
+        ],
+    ),
+    (
         "[[load]]\nnode = \"cart\"\nforce = [1e100, 0, 0]",
         "to = 1\nstep = 0.01",
         &["a mass, a load or another number of the model is unreasonably large"],

@@ -97,6 +97,41 @@ fn results_for_other_programs() {
     assert!(!folder.path("results/mass.trim.json").exists());
 }
 
+/// 100 N move the mass by 1/9 m, to half a meter less than required: the reached value is shown, and
+/// no harmonics of a motion that does not meet the targets.
+#[test]
+fn a_failed_trim_shows_the_values_that_are_reached() {
+    let folder = Folder::new();
+    let trim = TRIM
+        .replace(
+            "[trim]\nmethod = \"equilibrium\"\n",
+            "[periodic]\nperiod = 1\nsteps = 8\n[trim]\n",
+        )
+        .replace("upper = 1000", "upper = 100");
+    let output = "[output]\ncolumn = [{ name = \"x\", quantity = \"signal\", of = \"x\" }]\n";
+    folder.write("mass.dynamics.toml", &model(&format!("{trim}{output}")));
+    let run = folder.run(&["trim", "mass.dynamics.toml"]);
+    assert_eq!(run.code, 1, "{}", run.err);
+    assert!(
+        run.err.contains("\"pull\" reaches its bound 100"),
+        "{}",
+        run.err
+    );
+    for words in [
+        "place of the mass = 1.1",
+        ", required 1.5",
+        "the targets are not met",
+    ] {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+    assert!(!folder.path("results/mass.harmonics.csv").exists());
+    let sound = trim.replace("upper = 100", "upper = 1000");
+    folder.write("mass.dynamics.toml", &model(&format!("{sound}{output}")));
+    let run = folder.run(&["trim", "mass.dynamics.toml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(folder.path("results/mass.harmonics.csv").exists());
+}
+
 #[test]
 fn a_single_trim_and_wrong_files() {
     let folder = Folder::new();

@@ -145,6 +145,19 @@ impl Section {
         std::iter::once((self.weight, &self.first)).chain(others)
     }
 
+    /// A constant of unsteady models, in the unit of files; airfoils without it have the default. `None`
+    /// if no airfoil has it.
+    pub fn constant(&self, name: &str, default: f64) -> Option<f64> {
+        let own = |airfoil: &Airfoil| airfoil.unsteady().get(name);
+        self.parts().find_map(|(_, airfoil)| own(airfoil))?;
+        let parts = self.parts();
+        Some(
+            parts
+                .map(|(weight, airfoil)| weight * own(airfoil).unwrap_or(default))
+                .sum(),
+        )
+    }
+
     /// Coefficients in a flow.
     pub fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
         self.sum(|airfoil| airfoil.at(flow))

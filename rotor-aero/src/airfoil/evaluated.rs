@@ -4,6 +4,7 @@ use nalgebra::Vector4;
 use num_dual::{Derivative, DualSVec64};
 
 use super::check;
+use super::constants::UnsteadyConstants;
 use super::cubic::Interpolation;
 use super::data::{AirfoilData, Coefficients, Curve, Flow};
 use super::formula::{FlatPlate, LinearLift};
@@ -27,6 +28,7 @@ pub struct Airfoil {
     flap_range: Option<[f64; 2]>,
     law: Law,
     remarks: Vec<AirfoilRemark>,
+    unsteady: UnsteadyConstants,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -75,6 +77,7 @@ impl Airfoil {
             flap_range: range(data, |curve| curve.flap),
             law: Law::Table(Box::new(tables)),
             remarks: checked.remarks,
+            unsteady: UnsteadyConstants::default(),
         })
     }
 
@@ -96,7 +99,19 @@ impl Airfoil {
             flap_range: None,
             law,
             remarks: Vec::new(),
+            unsteady: UnsteadyConstants::default(),
         }
+    }
+
+    /// The same with constants of unsteady models.
+    #[must_use]
+    pub fn with_unsteady(self, unsteady: UnsteadyConstants) -> Self {
+        Self { unsteady, ..self }
+    }
+
+    /// Its constants of unsteady models.
+    pub fn unsteady(&self) -> &UnsteadyConstants {
+        &self.unsteady
     }
 
     /// Name.

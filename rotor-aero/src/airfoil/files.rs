@@ -22,7 +22,6 @@ mod aerodyn12;
 mod aerodyn15;
 pub mod blade;
 mod c81;
-mod constants;
 mod csv;
 mod family;
 mod grid;
@@ -36,7 +35,7 @@ mod tree;
 mod windio;
 mod xfoil;
 
-pub use constants::UnsteadyConstants;
+pub use super::constants::UnsteadyConstants;
 pub use family::merge;
 pub use reading::{Columns, Format, Options, ReadAirfoil, Reading, Writing};
 

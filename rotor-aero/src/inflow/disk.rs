@@ -23,7 +23,7 @@ use crate::unsteady::StateName;
 
 use super::ground::ground_effect;
 use super::model::InflowModel;
-use super::rotor::{Inflow, RotorFlow, RotorLoads};
+use super::rotor::{Inflow, RotorFlow, RotorLoads, linear};
 
 /// Tip speed below which velocities are not measured by it [m/s].
 const SLOWEST: f64 = 0.1;
@@ -162,11 +162,9 @@ impl Disk {
         states: &[T],
         position: &[T; 2],
     ) -> Option<T> {
-        if let (Some([sine, cosine]), [mean, ..]) = (self.model.gradients(), states) {
+        if self.model.gradients().is_some() {
             // The product of gradients and position is the same in all axes.
-            let [one, other] = [*states.get(sine)?, *states.get(cosine)?];
-            let sum = one * position[0] + other * position[1];
-            return (states.len() == self.states().len()).then(|| *mean + sum / self.radius);
+            return linear(&self.model, states, &position.map(|of| of / self.radius));
         }
         let axes = WindAxes::new(self, flow);
         let own = self.turned(&axes, states)?;

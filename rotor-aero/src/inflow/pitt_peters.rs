@@ -93,14 +93,4 @@ impl Inflow for PittPeters {
         ];
         Some(())
     }
-
-    fn induced<T: Real>(
-        &self,
-        _flow: &RotorFlow<T>,
-        states: &[T],
-        &[advancing, aft]: &[T; 2],
-    ) -> Option<T> {
-        let &[mean, sine, cosine]: &[T; 3] = states.try_into().ok()?;
-        Some(mean + sine * advancing + cosine * aft)
-    }
 }

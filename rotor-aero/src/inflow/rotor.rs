@@ -62,6 +62,23 @@ pub trait Inflow {
 
     /// The induced velocity over the tip speed, positive down through the disk, at a position toward
     /// the advancing side and toward the tail, `(r sin psi, r cos psi)`, over R; `None` unless `states`
-    /// has the length of the list of states.
-    fn induced<T: Real>(&self, flow: &RotorFlow<T>, states: &[T], position: &[T; 2]) -> Option<T>;
+    /// has the length of the list of states. Of a model with gradients it is linear over the disk, with
+    /// the first state as its mean.
+    fn induced<T: Real>(&self, _flow: &RotorFlow<T>, states: &[T], position: &[T; 2]) -> Option<T> {
+        linear(self, states, position)
+    }
+}
+
+/// The induced velocity of a model with gradients, in any axes and units that these and the position
+/// share; `None` unless `states` has the length of the list of states.
+pub(super) fn linear<T: Real>(
+    model: &(impl Inflow + ?Sized),
+    states: &[T],
+    position: &[T; 2],
+) -> Option<T> {
+    if states.len() != model.states().len() {
+        return None;
+    }
+    let [one, other] = model.gradients()?.map(|index| states.get(index));
+    Some(*states.first()? + *one? * position[0] + *other? * position[1])
 }

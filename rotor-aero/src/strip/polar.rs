@@ -9,12 +9,15 @@
 
 use num_dual::Dual64;
 
-use crate::airfoil::{Coefficients, Flow, FlowNumber, Section, Separation};
+use crate::airfoil::{Coefficients, Flow, FlowNumber, Kirchhoff, Section, Separation};
 use crate::real::Real;
-use crate::unsteady::Polar;
+use crate::unsteady::{OF_FORMULA, OF_SPLIT, Polar, SectionModel};
 
 /// Reynolds number at which the lift is split: steady lift does not depend on the split \[-\].
 const REYNOLDS: f64 = 3e6;
+
+/// Least slope of a file that is used \[1/rad\]: sections without lift state none.
+const LEAST_SLOPE: f64 = 0.5;
 
 /// Section and split of its lift.
 #[derive(Debug, Clone)]
@@ -26,9 +29,26 @@ pub(super) struct StripPolar {
 }
 
 impl StripPolar {
-    /// The split at Mach zero and a large Reynolds number.
-    pub fn new(section: Section) -> Self {
-        let separation = Separation::of(&section, 0.0, REYNOLDS);
+    /// The split at Mach zero and a large Reynolds number, with the slope and the angle of zero lift of
+    /// the files of the airfoils if they state them; if the model allows it, also by the angle of
+    /// separation and its scales.
+    pub fn new(section: Section, model: &SectionModel) -> Self {
+        let measured = Separation::of(&section, 0.0, REYNOLDS);
+        let [zero_lift, slope] = OF_SPLIT;
+        let zero_lift = section.constant(zero_lift, measured.zero_lift.to_degrees());
+        let slope = section.constant(slope, measured.slope);
+        let slope = slope.filter(|slope| *slope >= LEAST_SLOPE && measured.slope > 0.0);
+        let own = zero_lift.is_some() || slope.is_some();
+        let line = [
+            slope.unwrap_or(measured.slope),
+            zero_lift.map_or(measured.zero_lift, f64::to_radians),
+        ];
+        let formula = model.has_formula().then(|| formula(&section, line[1]));
+        let separation = match formula.flatten() {
+            Some(law) => Separation::kirchhoff(law, line[0], line[1]),
+            None if own => Separation::of_line(&section, [0.0, REYNOLDS], line),
+            None => measured,
+        };
         Self {
             section,
             separation,
@@ -36,10 +56,30 @@ impl StripPolar {
         }
     }
 
+    /// The section.
+    pub fn section(&self) -> &Section {
+        &self.section
+    }
+
     /// The same with a part of its lift \[-\].
     pub fn with_lift(self, lift: f64) -> Self {
         Self { lift, ..self }
     }
+}
+
+/// The attached part by the constants of a section with an angle of zero lift \[rad\], if it states all.
+fn formula(section: &Section, zero_lift: f64) -> Option<Kirchhoff> {
+    let [angle, before, beyond] = OF_FORMULA.map(|name| {
+        let found = section.constant(name, 0.0)?;
+        Some(found.to_radians())
+    });
+    let law = Kirchhoff {
+        break_angle: angle? - zero_lift,
+        scale_before: before?,
+        scale_beyond: beyond?,
+    };
+    let sizes = [law.break_angle, law.scale_before, law.scale_beyond];
+    sizes.iter().all(|size| *size > 0.0).then_some(law)
 }
 
 impl Polar for StripPolar {

@@ -1,5 +1,7 @@
 //! Constants of dynamic stall, for the model with a vortex.
 
+use super::section::Constant;
+
 /// Constants of the model of Beddoes and Leishman for one airfoil at one Mach number.
 ///
 /// Times are in semichords travelled.
@@ -42,6 +44,26 @@ const NACA0012: [[f64; 7]; 9] = [
 ];
 
 impl StallConstants {
+    /// All by their names in files; K_0, K_1 and K_2 are of this model alone.
+    pub(super) fn named(&mut self) -> [Constant<'_>; 9] {
+        [
+            ("T_p", &mut self.pressure_time),
+            ("T_f0", &mut self.separation_time),
+            ("T_V0", &mut self.vortex_time),
+            ("T_VL", &mut self.passage_time),
+            ("Cn1", &mut self.critical_normal),
+            ("K_0", &mut self.center),
+            ("K_1", &mut self.center_shift),
+            ("K_2", &mut self.moment_break),
+            ("eta_e", &mut self.suction),
+        ]
+    }
+
+    /// All with their names in files.
+    pub fn values(mut self) -> [(&'static str, f64); 9] {
+        self.named().map(|(name, value)| (name, *value))
+    }
+
     /// The published constants of NACA 0012, linear between Mach numbers .3 to .8, constant
     /// outside.
     pub fn naca0012(mach: f64) -> Self {

@@ -28,7 +28,9 @@ use super::constants::StallConstants;
 use super::lags::Lags;
 use super::local::{Local, kirchhoff, logistic, part_root};
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::section::{
+    Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip, state,
+};
 use super::separated::part_of;
 
 /// Width of the gate of shedding, in the normal coefficient \[-\].
@@ -180,6 +182,14 @@ impl DynamicStall {
             normal: force.normal + load * lift,
             moment: force.moment + load * moment * strip.chord,
         }
+    }
+}
+
+impl Adjustable for DynamicStall {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        let mut all: Vec<_> = self.lags.constants().into();
+        all.extend(self.constants.named());
+        all
     }
 }
 

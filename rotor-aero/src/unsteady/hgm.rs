@@ -18,7 +18,9 @@ use crate::real::Real;
 use super::lags::Lags;
 use super::local::Local;
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::section::{
+    Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip, state,
+};
 use super::separated::{lift_and_drag_of, part_of};
 
 /// Lags of circulation, of pressure and of separation.
@@ -82,6 +84,15 @@ fn add_turning<T: Real>(
         along: force.along,
         normal: force.normal + lift,
         moment: force.moment - lift * b,
+    }
+}
+
+impl Adjustable for Hgm {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        let mut all: Vec<_> = self.lags.constants().into();
+        all.push(("T_p", &mut self.pressure_time));
+        all.push(("T_f0", &mut self.separation_time));
+        all
     }
 }
 

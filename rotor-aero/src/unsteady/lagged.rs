@@ -13,7 +13,9 @@ use super::added_mass;
 use super::lags::Lags;
 use super::local::Local;
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::section::{
+    Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip, state,
+};
 
 /// Lag of circulation and added mass on static coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +36,12 @@ const STATES: [StateName; 4] = [
     state("momentum of the added mass", "kg/s", "kg/s"),
     state("angular momentum of the added mass", "kg m/s", "kg m/s"),
 ];
+
+impl Adjustable for Lagged {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        self.lags.constants().into()
+    }
+}
 
 impl Model for Lagged {
     fn states(&self) -> &'static [StateName] {

@@ -11,7 +11,7 @@
 use crate::real::Real;
 
 use super::local::Local;
-use super::section::Strip;
+use super::section::{Constant, Strip};
 
 /// Mach number from which the factor `1 - M^2` decays exponentially, and stays positive.
 const TRANSONIC: f64 = 0.9;
@@ -43,6 +43,12 @@ impl Lags {
         parts: [0.3, 0.7],
         rates: [0.14, 0.53],
     };
+
+    /// Its constants by their names in files.
+    pub(super) fn constants(&mut self) -> [Constant<'_>; 4] {
+        let ([a1, a2], [b1, b2]) = (&mut self.parts, &mut self.rates);
+        [("A1", a1), ("A2", a2), ("b1", b1), ("b2", b2)]
+    }
 
     /// The effective normal velocity.
     pub(super) fn effective<T: Real>(&self, local: &Local<T>, lags: [T; 2]) -> T {

@@ -1,5 +1,6 @@
 //! The list of the models of unsteady sections.
 
+use crate::airfoil::Section;
 use crate::real::Real;
 
 use super::dynamic_stall::DynamicStall;
@@ -8,7 +9,7 @@ use super::lagged::Lagged;
 use super::oye::Oye;
 use super::polar::Polar;
 use super::quasi_steady::QuasiSteady;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip};
+use super::section::{Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip};
 use super::separation_lag::SeparationLag;
 
 /// Makes the list of models: each is a type with [`Model`], a word for files, and a sentence.
@@ -29,6 +30,12 @@ macro_rules! models {
                 match word {
                     $($word => Some(Self::$name($name::default())),)*
                     _ => None,
+                }
+            }
+
+            fn constants(&mut self) -> Vec<Constant<'_>> {
+                match self {
+                    $(Self::$name(it) => it.constants(),)*
                 }
             }
 
@@ -91,6 +98,45 @@ models! {
     "dynamic_stall" DynamicStall "The same, a lag of pressure and a vortex."
     "oye" Oye "Lag of separation alone."
     "hgm" Hgm "Lags of circulation, pressure and separation."
+}
+
+/// Constants of the split of lift, which models with separation use.
+pub(crate) const OF_SPLIT: [&str; 2] = ["alpha0", "C_nalpha"];
+
+/// Constants of the attached part by a formula, which the model with a vortex uses.
+pub(crate) const OF_FORMULA: [&str; 3] = ["alpha1", "S1", "S2"];
+
+impl SectionModel {
+    /// The model with the constants that an airfoil or a blend of airfoils states. Times and rates that
+    /// are not positive are left as they are.
+    #[must_use]
+    pub fn of_section(mut self, section: &Section) -> Self {
+        for (name, value) in self.constants() {
+            let is_free = name.starts_with('A') || name.starts_with('K');
+            let is_usable = |own: &f64| own.is_finite() && (is_free || *own > 0.0);
+            if let Some(own) = section.constant(name, *value).filter(is_usable) {
+                *value = own;
+            }
+        }
+        self
+    }
+
+    /// Whether its attached part may be given by a formula.
+    pub(crate) fn has_formula(&self) -> bool {
+        matches!(self, Self::DynamicStall(_))
+    }
+
+    /// Names of the constants of airfoils that the model uses.
+    pub fn used_constants(mut self) -> Vec<&'static str> {
+        let mut all: Vec<_> = self.constants().into_iter().map(|(name, _)| name).collect();
+        if !matches!(self, Self::QuasiSteady(_) | Self::Lagged(_)) {
+            all.extend(OF_SPLIT);
+        }
+        if self.has_formula() {
+            all.extend(OF_FORMULA);
+        }
+        all
+    }
 }
 
 impl Default for SectionModel {

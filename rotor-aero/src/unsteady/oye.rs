@@ -11,7 +11,9 @@ use crate::real::Real;
 
 use super::local::Local;
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::section::{
+    Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip, state,
+};
 use super::separated::lift_of;
 
 /// Lag of separation; no lag of circulation, no added mass.
@@ -30,6 +32,12 @@ impl Default for Oye {
 }
 
 const STATES: [StateName; 1] = [state("attached part of the chord", "-", "1/s")];
+
+impl Adjustable for Oye {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        vec![("T_f0", &mut self.separation_time)]
+    }
+}
 
 impl Model for Oye {
     fn states(&self) -> &'static [StateName] {

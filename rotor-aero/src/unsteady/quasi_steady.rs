@@ -8,11 +8,17 @@ use crate::real::Real;
 
 use super::local::Local;
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip};
+use super::section::{Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip};
 
 /// The quasi-steady section, without states and without added mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct QuasiSteady;
+
+impl Adjustable for QuasiSteady {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        Vec::new()
+    }
+}
 
 impl Model for QuasiSteady {
     fn states(&self) -> &'static [StateName] {

@@ -108,6 +108,15 @@ pub(crate) const fn state(
     }
 }
 
+/// A constant of a model: its name in files of airfoils, and its value.
+pub(super) type Constant<'a> = (&'static str, &'a mut f64);
+
+/// Constants that airfoils may state.
+pub(super) trait Adjustable {
+    /// All of them.
+    fn constants(&mut self) -> Vec<Constant<'_>>;
+}
+
 /// A model of an unsteady section.
 pub trait Model {
     /// Names and units of the states, in their order.

@@ -1,7 +1,7 @@
 //! Attached unsteady flow and a lag of separation: the default of sections that stall.
 //!
 //! ```text
-//! f' = (2 V / c) (f_st(alpha_E) - f) / T_f ,   alpha_E = atan2(w_E, v_x)
+//! f' = (2 V / c) (f_st(alpha_E) - f) / (T_p + T_f) ,   alpha_E = atan2(w_E, v_x)
 //! cl = f slope (alpha_E - alpha_0) + (1 - f) cl_fs(alpha_E)
 //! ```
 //!
@@ -14,7 +14,9 @@ use super::added_mass;
 use super::lags::Lags;
 use super::local::Local;
 use super::polar::Polar;
-use super::section::{Model, SectionFlow, SectionForce, StateName, Strip, state};
+use super::section::{
+    Adjustable, Constant, Model, SectionFlow, SectionForce, StateName, Strip, state,
+};
 use super::separated::lift_and_drag_of;
 
 /// Lag of circulation, added mass and lag of separation.
@@ -22,8 +24,9 @@ use super::separated::lift_and_drag_of;
 pub struct SeparationLag {
     /// Coefficients of the lag of circulation.
     pub lags: Lags,
-    /// Time constant of separation, in semichords travelled; 7.7 is the sum of the lags of
-    /// pressure, 1.7, and of separation, 6, of other models \[-\].
+    /// Time constant of pressure, in semichords travelled \[-\].
+    pub pressure_time: f64,
+    /// Time constant of separation, in semichords travelled; the one lag has the sum of both \[-\].
     pub separation_time: f64,
 }
 
@@ -31,7 +34,8 @@ impl Default for SeparationLag {
     fn default() -> Self {
         Self {
             lags: Lags::JONES,
-            separation_time: 7.7,
+            pressure_time: 1.7,
+            separation_time: 6.0,
         }
     }
 }
@@ -43,6 +47,15 @@ const STATES: [StateName; 5] = [
     state("momentum of the added mass", "kg/s", "kg/s"),
     state("angular momentum of the added mass", "kg m/s", "kg m/s"),
 ];
+
+impl Adjustable for SeparationLag {
+    fn constants(&mut self) -> Vec<Constant<'_>> {
+        let mut all: Vec<_> = self.lags.constants().into();
+        all.push(("T_p", &mut self.pressure_time));
+        all.push(("T_f0", &mut self.separation_time));
+        all
+    }
+}
 
 impl Model for SeparationLag {
     fn states(&self) -> &'static [StateName] {
@@ -83,7 +96,8 @@ impl Model for SeparationLag {
         let effective = self.lags.effective(&local, [y1, y2]);
         let alpha = local.angle(effective);
         let target = polar.attached(alpha);
-        let separation = local.follow(strip, self.separation_time, part, target, 1.0);
+        let time = self.pressure_time + self.separation_time;
+        let separation = local.follow(strip, time, part, target, 1.0);
         *rows = [dy1 - f1, dy2 - f2, dpart - separation, p - p0, h - h0];
         let coefficients = lift_and_drag_of(polar, flow, &local, alpha, [part, target]);
         let force = local.force(strip, local.bound(effective), &coefficients);

@@ -1,5 +1,6 @@
 //! Tests of the models of unsteady sections.
 
+mod constants;
 mod derivatives;
 mod limits;
 mod march;

@@ -29,8 +29,9 @@ pub struct GeneratorInput {
     pub spectrum: Kaimal,
     /// Height of the hub: the middle of the box \[m\].
     pub hub_height: f64,
-    /// Exponent of the power law of the mean wind \[-\].
-    pub exponent: f64,
+    /// Exponent of the power law of the mean wind, which is a part of u; without it u is the deviation
+    /// alone \[-\].
+    pub exponent: Option<f64>,
     /// Number of time steps.
     pub planes: usize,
     /// Number of points along y and z.
@@ -83,12 +84,8 @@ impl GeneratorInput {
         if !(scale > 0.0 && scale.is_finite()) {
             problems.push(wrong("scale of turbulence [m]", scale, "a positive number"));
         }
-        if !self.exponent.is_finite() {
-            problems.push(wrong(
-                "exponent of the power law",
-                self.exponent,
-                "a number",
-            ));
+        if let Some(exponent) = self.exponent.filter(|exponent| !exponent.is_finite()) {
+            problems.push(wrong("exponent of the power law", exponent, "a number"));
         }
         report("the generated box", &problems)
     }
@@ -176,7 +173,7 @@ fn series(spectrum: &[Complex<f64>], planes: usize, fft: &dyn Fft<f64>) -> Vec<f
     buffer.iter().map(|value| value.re).collect()
 }
 
-/// Generates a periodic box, with the mean wind by the power law as part of u.
+/// Generates a periodic box.
 ///
 /// # Errors
 /// All numbers that are not usable, among them a box that reaches below the ground.
@@ -186,10 +183,10 @@ pub fn generate(input: &GeneratorInput) -> Result<BoxValues, Diagnostics> {
     let mut phases = Phases(Pcg64Mcg::seed_from_u64(input.seed));
     let fft = FftPlanner::new().plan_fft_inverse(input.planes);
     let mean = MeanWind {
-        speed: input.spectrum.speed,
+        speed: input.exponent.map_or(0.0, |_| input.spectrum.speed),
         reference_height: input.hub_height,
         shear: Shear::Power {
-            exponent: input.exponent,
+            exponent: input.exponent.unwrap_or_default(),
         },
         ..MeanWind::default()
     };

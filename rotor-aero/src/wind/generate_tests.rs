@@ -11,7 +11,7 @@ fn input(planes: usize, points: [usize; 2], seed: u64) -> GeneratorInput {
             scale: 42.0,
         },
         hub_height: 90.0,
-        exponent: 0.2,
+        exponent: Some(0.2),
         planes,
         points,
         time_step: 0.1,
@@ -172,7 +172,7 @@ fn useless_boxes_are_refused() {
     wrong.hub_height = -1.0;
     wrong.spectrum.sigma = f64::NAN;
     wrong.spectrum.scale = 0.0;
-    wrong.exponent = f64::INFINITY;
+    wrong.exponent = Some(f64::INFINITY);
     // points, bottom, planes, sigma, scale, exponent
     assert_eq!(generate(&wrong).unwrap_err().iter().count(), 6);
     let mut still = input(16, [2, 2], 1);

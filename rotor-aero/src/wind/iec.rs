@@ -12,6 +12,7 @@
 //! ```
 
 use super::event::EventShape;
+use super::kaimal::Kaimal;
 use super::profile::{MeanWind, Shear};
 
 /// Class of a turbine: its reference speed.
@@ -95,6 +96,15 @@ impl IecTurbine {
         let average = 0.2 * self.reference_speed();
         let bracket = 0.072 * (0.5 * average + 3.0) * (0.5 * speed - 4.0) + 10.0;
         2.0 * self.reference_intensity() * bracket
+    }
+
+    /// Spectra of turbulence of the standard deviation `sigma` of u \[m/s\] at the hub speed \[m/s\].
+    pub fn spectrum(&self, speed: f64, sigma: f64) -> Kaimal {
+        Kaimal {
+            speed,
+            sigma,
+            scale: self.turbulence_scale(),
+        }
     }
 
     /// Normal wind profile (NWP): the power law 0.2.

@@ -12,6 +12,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::problem::WindProblem;
+use super::scale::Scale;
 
 /// Bytes of planes that are kept by default.
 const CACHE_BYTES: usize = 64 << 20;
@@ -42,6 +43,24 @@ pub(super) trait Decode: Debug + Send + Sync {
 
     /// Fills `values` from the bytes of each file.
     fn decode(&self, bytes: &[Vec<u8>], values: &mut [f64]);
+}
+
+/// Bytes of a plane as scaled velocities.
+#[derive(Debug)]
+struct Scaled {
+    decode: Box<dyn Decode>,
+    scale: Scale,
+}
+
+impl Decode for Scaled {
+    fn values(&self) -> usize {
+        self.decode.values()
+    }
+
+    fn decode(&self, bytes: &[Vec<u8>], values: &mut [f64]) {
+        self.decode.decode(bytes, values);
+        self.scale.apply(values);
+    }
 }
 
 /// A file of planes of equal size.
@@ -101,6 +120,29 @@ impl Planes {
             },
         });
         Self::Files(FilePlanes { decode, state })
+    }
+
+    /// The same planes with scaled deviations from their mean.
+    pub fn scaled(self, scale: Scale) -> Self {
+        match self {
+            Self::Memory(planes) => {
+                let scaled = |plane: &Plane| {
+                    let mut values = plane.to_vec();
+                    scale.apply(&mut values);
+                    Plane::from(values)
+                };
+                Self::Memory(planes.iter().map(scaled).collect())
+            }
+            Self::Files(FilePlanes { decode, state }) => {
+                let mut state = state.into_inner().unwrap_or_else(PoisonError::into_inner);
+                state.kept.clear();
+                state.count.held = 0;
+                Self::Files(FilePlanes {
+                    decode: Box::new(Scaled { decode, scale }),
+                    state: Mutex::new(state),
+                })
+            }
+        }
     }
 
     /// The plane `index` of the file.

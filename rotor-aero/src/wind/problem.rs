@@ -7,7 +7,10 @@ use shared_geom::error::Explain;
 pub enum WindProblem {
     /// A time at which a box has no wind.
     #[error(
-        "{name}: no turbulence at x = {x} m and t = {time} s: the box has steps 0 to {last}, requested {step}"
+        "{name}: no turbulence at x = {} m and t = {} s: the box has steps 0 to {last}, requested {}",
+        short(*.x),
+        short(*.time),
+        short(*.step)
     )]
     Time {
         /// The box.
@@ -23,7 +26,13 @@ pub enum WindProblem {
     },
     /// A point beside a box.
     #[error(
-        "{name}: the point y = {y} m, z = {z} m is outside the box, y from {} to {half} m, z from {bottom} to {top} m", -half
+        "{name}: the point y = {} m, z = {} m is outside the box, y from {} to {} m, z from {} to {} m",
+        short(*.y),
+        short(*.z),
+        short(-*.half),
+        short(*.half),
+        short(*.bottom),
+        short(*.top)
     )]
     Outside {
         /// The box.
@@ -63,12 +72,18 @@ pub enum WindProblem {
     },
 }
 
+/// A number with six digits at most, without those that say nothing.
+pub(super) fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    rounded.to_string()
+}
+
 impl WindProblem {
     /// A wrong number.
     pub(super) fn value(what: &str, found: f64, expected: &str, help: &str) -> Self {
         Self::Value {
             what: what.to_owned(),
-            found: found.to_string(),
+            found: short(found),
             expected: expected.to_owned(),
             help: help.to_owned(),
         }

@@ -11,11 +11,11 @@
 use std::fmt;
 
 use shared_geom::error::Diagnostics;
-use shared_geom::exchange::problem::ExchangeProblem;
 
-use super::grid::{BoxGrid, BoxValues, report};
+use super::grid::{BoxGrid, BoxValues};
 use super::planes::{CacheCount, Plane, Planes};
 use super::problem::WindProblem;
+use super::scale::Scale;
 use crate::real::Real;
 
 /// Part of a cell by which a point may be outside: grids of files are in single precision.
@@ -107,6 +107,17 @@ impl TurbulenceBox {
     pub fn with_outside(mut self, outside: OutsideGrid) -> Self {
         self.outside = outside;
         self
+    }
+
+    /// The same box with scaled deviations.
+    pub(super) fn with_scale(mut self, scale: Scale) -> Self {
+        self.planes = self.planes.scaled(scale);
+        self
+    }
+
+    /// Its name in messages.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// Wind at points outside.
@@ -233,77 +244,6 @@ impl TurbulenceBox {
             let ends = [k.low, k.high].map(|k| vector(plane, g.tower_index(k)));
             mixed(k.fraction, ends).map(|u| u * factor)
         })
-    }
-
-    /// Checks that the box covers a rotor of a `radius` \[m\] at a `hub_height` \[m\] during
-    /// `duration` \[s\], in any yaw.
-    ///
-    /// # Errors
-    /// All sides at which the box is too small, with the sizes found and needed, and remedies.
-    pub fn covers(&self, radius: f64, hub_height: f64, duration: f64) -> Result<(), Diagnostics> {
-        let g = &self.grid;
-        let mut problems = Vec::new();
-        let mut need = |what: &str, found: f64, limit: f64, is_least: bool, remedy: &str| {
-            let slack = SLACK * g.lateral_step.max(g.vertical_step);
-            let enough = if is_least {
-                found >= limit - slack
-            } else {
-                found <= limit + slack
-            };
-            if !enough {
-                problems.push(too_small(what, found, limit, is_least, remedy));
-            }
-        };
-        let lateral = "make the box wider, or extend it to points outside";
-        need(
-            "half the width of the box [m]",
-            g.half_width(),
-            radius,
-            true,
-            lateral,
-        );
-        let high = "make the box higher or raise it, or extend it to points outside";
-        need(
-            "top of the box [m]",
-            g.top(),
-            hub_height + radius,
-            true,
-            high,
-        );
-        let low =
-            "make the box higher or lower it, add tower points, or extend it to points outside";
-        let bottom = if g.tower > 0 { 0.0 } else { g.bottom };
-        need(
-            "bottom of the box [m]",
-            bottom,
-            hub_height - radius,
-            false,
-            low,
-        );
-        if !g.periodic {
-            let long = "make a longer box, or one that is periodic";
-            let needed = duration + (self.shift + radius) / g.speed;
-            need("duration of the box [s]", g.duration(), needed, true, long);
-            let early = "shift the box downwind by the radius, or start later";
-            need(
-                "position of its first plane [m]",
-                self.shift,
-                radius,
-                true,
-                early,
-            );
-        }
-        report(&self.name, &problems)
-    }
-}
-
-fn too_small(what: &str, found: f64, limit: f64, is_least: bool, remedy: &str) -> ExchangeProblem {
-    let bound = if is_least { "at least" } else { "at most" };
-    ExchangeProblem::Other {
-        what: what.to_owned(),
-        found: found.to_string(),
-        expected: format!("{bound} {limit} for the rotor"),
-        help: remedy.to_owned(),
     }
 }
 

@@ -181,16 +181,19 @@ fn boxes_that_are_too_small_for_a_rotor() {
         .iter_mut()
         .for_each(|plane| plane.truncate(size));
     let turbulence = TurbulenceBox::from_values("box", values).unwrap();
-    assert!(turbulence.covers(10.0, 72.0, 0.1).is_ok());
-    let problems = turbulence.covers(25.0, 72.0, 10.0).unwrap_err();
+    assert!(turbulence.uncovered(10.0, 72.0, 0.1).is_empty());
+    let problems = turbulence.uncovered(25.0, 72.0, 10.0);
     // width, top, bottom, duration, first plane
-    assert_eq!(problems.iter().count(), 5, "{problems}");
-    let text = format!("{problems}");
+    assert_eq!(problems.len(), 5, "{problems:?}");
+    let lines = problems
+        .iter()
+        .map(|problem| format!("{problem}; {problem:?}"));
+    let text = lines.collect::<Vec<_>>().join("\n");
     for number in ["20", "25", "84", "97", "47", "2.75", "13.75", "wider"] {
         assert!(text.contains(number), "{number}: {text}");
     }
     let (periodic, _) = linear(true);
     let turbulence = TurbulenceBox::from_values("box", periodic).unwrap();
     // tower points cover the wind below
-    assert!(turbulence.covers(12.0, 72.0, 1e9).is_ok());
+    assert!(turbulence.uncovered(12.0, 72.0, 1e9).is_empty());
 }

@@ -59,6 +59,14 @@ impl<'a> Table<'a> {
         items.iter().enumerate().filter_map(table).collect()
     }
 
+    /// The tables `[[table.key]]`; empty if one of both is absent or of another kind, which is not
+    /// noted.
+    pub fn listed(&self, table: &str, key: &str) -> Vec<Table<'a>> {
+        let found = self.is_table(table).then(|| self.table(table)).flatten();
+        let listed = found.filter(|found| found.is_list(key));
+        listed.map_or_else(Vec::new, |found| found.tables(key))
+    }
+
     /// The tables `[key.name]` with their names; empty when absent.
     pub fn named_tables(&self, key: impl AsRef<str>) -> Vec<(String, Table<'a>)> {
         let key = key.as_ref();

@@ -11,6 +11,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
 use super::{Random, analyzed, modes, monodromy, multipliers, off_by_sums};
+use crate::trim::reference;
 
 /// A bar of mass one at the distance 0.5 from its hinge about y.
 fn bar(delta: f64, epsilon: f64, settings: &str) -> String {
@@ -39,24 +40,60 @@ fn exact(delta: f64, epsilon: f64) -> Vec<Complex<f64>> {
 
 const THREE: &str = "steps = 128\n[periodic.floquet]\nerror_estimate = false";
 
-// Growth by the prototype of an independent ordinary differential equation, seven digits.
+// Nine points of the chart, two of them with a damper, by an independent ordinary differential equation
+// (`theory-periodic/mathieu.json`, relative tolerance 1e-12): multipliers to 1e-6, growth to 1e-7.
 #[test]
-fn growth_of_unstable_bars() {
-    for (delta, epsilon, growth) in [
-        (0.25, 0.3, 0.1442355829),
-        (0.3, 0.2, 0.0784485576),
-        (1.0, 0.5, 0.0232151618),
-    ] {
-        let (outcome, _) = analyzed(&bar(delta, epsilon, THREE));
-        let found = modes(&outcome)[0].exponent.re;
-        assert!(
-            (found - growth).abs() < 1e-7,
-            "{delta} {epsilon}: {found} {growth}"
+fn points_of_the_chart() {
+    let rows = reference("theory-periodic/mathieu.json")["chart"].clone();
+    assert_eq!(rows.as_array().unwrap().len(), 9);
+    for row in rows.as_array().unwrap() {
+        let number = |name: &str| row[name].as_f64().unwrap();
+        let (delta, epsilon, c) = (number("delta"), number("epsilon"), number("c"));
+        let damper = format!(
+            "{THREE}\n[[spring]]\nname = \"damper\"\nnode = \"bar\"\nstiffness = [0, 0, 0]\n\
+             rotational_damping = [0, {c:?}, 0]\n"
         );
+        let settings = if c > 0.0 { damper.as_str() } else { THREE };
+        let (outcome, _) = analyzed(&bar(delta, epsilon, settings));
+        let pairs = row["multipliers_ode"].as_array().unwrap().iter();
+        let part = |pair: &serde_json::Value, i: usize| pair[i].as_f64().unwrap();
+        let expected: Vec<_> = pairs
+            .map(|mu| Complex::new(part(mu, 0), part(mu, 1)))
+            .collect();
+        let off = off_by_sums(&multipliers(&outcome), &expected);
+        assert!(off < 1e-6, "{row}: {off:e}");
+        let growth = row["exponents_ode"][0][0].as_f64().unwrap();
+        let found = modes(&outcome)[0].exponent.re;
+        assert!((found - growth).abs() < 1e-7, "{row}: {found}");
         let table = outcome.result.floquet.as_ref().unwrap();
         assert_eq!(table.states, Some(2));
         assert!(modes(&outcome)[0].name.contains("rotation about y"));
     }
+}
+
+// All 28 boundaries of seven kinds at four epsilons (`theory-periodic/mathieu.json`: characteristic values
+// of Mathieu functions): both multipliers are 1 or -1 there. Their sum, which has a slope of 1 to 10 in
+// delta, is +-2 to 1e-6; at the next boundary it is -+2, and it passes through all values between.
+#[test]
+fn both_multipliers_are_one_at_the_boundaries() {
+    let tables = reference("theory-periodic/mathieu.json")["boundaries"].clone();
+    let mut count = 0;
+    for table in tables.as_array().unwrap() {
+        let epsilon = table["epsilon"].as_f64().unwrap();
+        for (name, delta) in table["boundaries_delta"].as_object().unwrap() {
+            let sign = if ["a1", "b1", "a3", "b3"].contains(&name.as_str()) {
+                -1.0
+            } else {
+                1.0
+            };
+            let (outcome, _) = analyzed(&bar(delta.as_f64().unwrap(), epsilon, THREE));
+            let sum = multipliers(&outcome).iter().sum::<Complex<f64>>();
+            let off = (sum - 2.0 * sign).norm();
+            assert!(off < 1e-6, "{epsilon} {name}: {sum}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 28);
 }
 
 // The equation has no damping: multipliers come in reciprocal pairs. Exact multipliers by 20 000

@@ -11,16 +11,20 @@ use nalgebra::Complex;
 
 use super::{analyzed, farthest, modes, multipliers};
 use crate::effort::is_long;
+use crate::trim::{numbers, reference};
 
-/// Masses of the blades, and their lag dampers [kg, N m s].
+/// Masses of the blades, their lag dampers, and their lag springs [kg, N m s, N m].
+#[derive(Clone, Copy)]
 pub struct Blades {
     masses: [f64; 3],
     dampers: [f64; 3],
+    springs: [f64; 3],
 }
 
 pub const EQUAL: Blades = Blades {
     masses: [40.0; 3],
     dampers: [400.0; 3],
+    springs: [0.0; 3],
 };
 pub const ISOTROPIC: [f64; 4] = [1.1e6, 1.1e6, 3000.0, 3000.0];
 pub const ANISOTROPIC: [f64; 4] = [1.1e6, 2.0e6, 3000.0, 3800.0];
@@ -44,9 +48,9 @@ pub fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: &s
     );
     for k in 0..3 {
         let (y, x) = (TAU * k as f64 / 3.0).sin_cos();
-        let (mass, damper) = (blades.masses[k], blades.dampers[k]);
-        // Moment of inertia 300 kg m^2 about the hinge, 2.4 m from the center.
-        let inertia = 300.0 - mass * 2.4 * 2.4;
+        let (mass, damper, spring) = (blades.masses[k], blades.dampers[k], blades.springs[k]);
+        // In proportion to the mass: 300 kg m^2 about the hinge, 2.4 m from the center, of 40 kg.
+        let inertia = mass * (300.0 / 40.0 - 2.4 * 2.4);
         let (name, hinge, center) = (format!("blade {k}"), 0.35, 2.75);
         text += &format!(
             "[[node]]\nname = \"{name}\"\nposition = [{:?}, {:?}, 0]\n\
@@ -56,7 +60,8 @@ pub fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: &s
              [[joint]]\nname = \"lag {k}\"\nkind = \"revolute\"\nnodes = [\"hub\", \"{name}\"]\n\
              at = [{:?}, {:?}, 0]\naxis = [0, 0, 1]\n\
              [[spring]]\nname = \"damper {k}\"\nnodes = [\"hub\", \"{name}\"]\n\
-             at = [{:?}, {:?}, 0]\nrotational_damping = [0, 0, {damper:?}]\n",
+             at = [{:?}, {:?}, 0]\nrotational_damping = [0, 0, {damper:?}]\n\
+             rotational_stiffness = [0, 0, {spring:?}]\n",
             center * x,
             center * y,
             -center * y,
@@ -90,50 +95,56 @@ fn multipliers_of(exponents: &[[f64; 2]], speed: f64) -> Vec<Complex<f64>> {
         .collect()
 }
 
-// Table of the largest growth by the independent integration, five digits: 5e-6, and as much for the
-// error of 48 steps. The short form has the third row only.
-#[test]
-fn growth_over_speed() {
-    const DAMPED: Blades = Blades {
-        masses: [40.0; 3],
-        dampers: [400.0, 400.0, 0.0],
-    };
-    let rows = [
-        (ANISOTROPIC, &DAMPED, [-0.16797, 0.57716, 0.66689]),
-        (ANISOTROPIC, &EQUAL, [-0.54419, 0.46253, 0.50988]),
-        (ISOTROPIC, &EQUAL, [-0.45716, 0.84191, -0.45321]),
-    ];
-    let count = if is_long() { rows.len() } else { 1 };
-    for (support, blades, growths) in rows.into_iter().take(count) {
-        for (speed, growth) in [12.0, 26.0, 40.0].into_iter().zip(growths) {
-            let settings = "steps = 48\n[periodic.floquet]\nerror_estimate = false\n";
-            let (outcome, _) = analyzed(&turning(support, blades, speed, settings));
-            let table = outcome.result.floquet.as_ref().unwrap();
-            assert!(table.states.is_some() && table.products <= 20, "{table:?}");
-            let found = modes(&outcome)[0].exponent.re;
-            assert!((found - growth).abs() < 1e-5, "{speed}: {found} {growth}");
-        }
-    }
+/// Exponents `[re, im]` of a reference, both of each pair, as multipliers.
+fn listed(exponents: &serde_json::Value, speed: f64) -> Vec<Complex<f64>> {
+    let pairs = exponents.as_array().unwrap().iter().map(numbers);
+    let mu = |own: Vec<f64>| (Complex::new(own[0], own[1]) * (TAU / speed)).exp();
+    pairs.map(mu).collect()
 }
 
-// All ten exponents at 20 rad/s, to 1e-6.
+// All ten exponents of three rotors at 12 to 40 rad/s to 1e-6 (`theory-periodic/rotor_exponents.json`).
+// The short form has three rows, one of each rotor.
 #[test]
-fn all_exponents_of_the_isotropic_rotor() {
-    let exact = [
-        [-0.3303178523991644, 2.7350825937998167],
-        [-0.4551042536527091, 1.773733022394352],
-        [-0.6666666666666666, 6.659996663329161],
-        [-0.7331168443880726, 6.422502926087744],
-        [-0.74989359118183, 7.946847317158547],
-    ];
-    let settings = "[periodic.floquet]\nerror_estimate = false\n";
-    let (outcome, _) = analyzed(&turning(ISOTROPIC, &EQUAL, 20.0, settings));
-    let period = TAU / 20.0;
-    let off = farthest(&multipliers(&outcome), &multipliers_of(&exact, 20.0));
-    assert!(off < 1e-6 * period, "{off:e}");
-    for mode in modes(&outcome) {
-        assert!(mode.residual < 1e-9, "{mode:?}");
+fn all_exponents_over_speed() {
+    let open = Blades {
+        dampers: [400.0, 400.0, 0.0],
+        ..EQUAL
+    };
+    let rows = reference("theory-periodic/rotor_exponents.json")["rows"].clone();
+    let (mut count, short) = (
+        0,
+        [
+            ("isotropic", 12.0),
+            ("anisotropic", 26.0),
+            ("dissimilar_damper", 40.0),
+        ],
+    );
+    for row in rows.as_array().unwrap() {
+        let (case, speed) = (
+            row["case"].as_str().unwrap(),
+            row["Omega"].as_f64().unwrap(),
+        );
+        if !is_long() && !short.contains(&(case, speed)) {
+            continue;
+        }
+        let (support, blades) = match case {
+            "isotropic" => (ISOTROPIC, EQUAL),
+            "anisotropic" => (ANISOTROPIC, EQUAL),
+            _ => (ANISOTROPIC, open),
+        };
+        let settings = "[periodic.floquet]\nerror_estimate = false\n";
+        let (outcome, _) = analyzed(&turning(support, &blades, speed, settings));
+        let expected = listed(&row["exponents_ode"], speed);
+        let off = farthest(&multipliers(&outcome), &expected);
+        assert!(off < 1e-6 * TAU / speed, "{case} {speed}: {off:e}");
+        let table = outcome.result.floquet.as_ref().unwrap();
+        assert!(table.states.is_some() && table.products <= 20, "{table:?}");
+        for mode in modes(&outcome) {
+            assert!(mode.residual < 1e-9, "{mode:?}");
+        }
+        count += 1;
     }
+    assert_eq!(count, if is_long() { 15 } else { 3 });
 }
 
 // The modes in the turning frame and the multipliers of a revolution: exp(s T), to 1e-6 of s. In the
@@ -166,25 +177,35 @@ fn modes_and_multipliers_of_an_isotropic_hub_are_the_same() {
     }
 }
 
-// Gravity in the plane of the rotor, unequal blades at 32 rad/s: a march takes some two hundred
-// revolutions, Newton's method three iterations of at most 11 products to 1e-8.
+// Gravity in the plane of the rotor, unequal blades (`theory-periodic/shooting_rotor.json`): all ten
+// exponents to 1e-6, in at most five iterations of eleven products. The
+// second motion is unstable, no march leads to it; the third would take 2500 revolutions. The short form
+// has the second.
 #[test]
 fn unequal_blades_under_gravity() {
-    let blades = Blades {
-        masses: [40.0, 41.0, 39.5],
-        dampers: [400.0, 360.0, 430.0],
-    };
-    let settings = "[periodic.floquet]\nerror_estimate = false\n\
-                    [gravity]\nacceleration = [0, -9.81, 0]\n";
-    let (outcome, _) = analyzed(&turning(ANISOTROPIC, &blades, 32.0, settings));
-    let passes = &outcome.result.passes;
-    assert!(passes.len() <= 5, "{passes:#?}");
-    assert!(passes.iter().all(|pass| pass.products <= 12), "{passes:#?}");
-    let largest = multipliers(&outcome)
-        .iter()
-        .map(|mu| mu.norm())
-        .fold(0.0, f64::max);
-    assert!((largest - 0.91382).abs() < 2e-4, "{largest}");
+    let all = reference("theory-periodic/shooting_rotor.json");
+    let names = ["light_lag_damping", "dissimilar", "lag_damping_low_stable"];
+    let count = if is_long() { 3 } else { 1 };
+    for name in names.into_iter().take(count) {
+        let it = &all[name];
+        let own = |key: &str| numbers(&it["blades"][key]).try_into().unwrap();
+        let blades = Blades {
+            masses: own("mb"),
+            dampers: own("cz"),
+            springs: it["blades"].get("kz").map_or([0.0; 3], |_| own("kz")),
+        };
+        let of = |key: &str| it["parameters"][key].as_f64().unwrap();
+        let support = [of("kx"), of("ky"), of("cx"), of("cy")];
+        let speed = it["Omega"].as_f64().unwrap();
+        let settings = "[periodic.floquet]\nerror_estimate = false\n\
+                        [gravity]\nacceleration = [0, -9.81, 0]\n";
+        let (outcome, _) = analyzed(&turning(support, &blades, speed, settings));
+        let passes = &outcome.result.passes;
+        assert!(passes.len() <= 5, "{passes:#?}");
+        assert!(passes.iter().all(|pass| pass.products <= 12), "{passes:#?}");
+        let off = farthest(&multipliers(&outcome), &listed(&it["exponents_ode"], speed));
+        assert!(off < 1e-6 * TAU / speed, "{name}: {off:e}");
+    }
 }
 
 // Weak dampers: an unstable periodic motion, to which no march leads.
@@ -193,6 +214,7 @@ fn an_unstable_periodic_motion() {
     let blades = Blades {
         masses: [40.0; 3],
         dampers: [20.0; 3],
+        ..EQUAL
     };
     let settings = "[periodic.floquet]\nerror_estimate = false\n\
                     [gravity]\nacceleration = [0, -9.81, 0]\n";

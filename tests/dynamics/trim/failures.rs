@@ -1,5 +1,7 @@
 //! Trims that fail name the reason, and wrong cards are reported with their remedy.
 
+use beam_dynamics::analysis::trim::trim_watched;
+
 use super::{attempt, reason};
 
 /// Two forces on a mass on a spring, in the plane.
@@ -52,6 +54,19 @@ fn reasons_are_named() {
             "{method}: {bound}"
         );
         assert!(remedy.contains("bound"), "{remedy}");
+        // The values that are reached: 40/2 N on 50 N/m.
+        let point = &attempt(&plate("a", "b/2", method)).result.points[0];
+        // An equilibrium has its control beyond the bound.
+        let expected = if method.contains("equilibrium") {
+            0.5
+        } else {
+            0.4
+        };
+        let [found, required] = point.targets[1];
+        assert!(
+            (found - expected).abs() < 1e-3 && required == 0.5,
+            "{point:?}"
+        );
         let text = plate("a", "b", method);
         let point = &attempt(&text).result.points[0];
         assert_eq!(point.failure, None, "{method}");
@@ -75,6 +90,29 @@ fn targets_beyond_the_last_motion_are_named() {
         remedy.contains("targets that the model can reach"),
         "{remedy}"
     );
+}
+
+// Each iteration of each point is shown.
+#[test]
+fn the_progress_of_a_sweep_is_shown() {
+    let settings = "[periodic]\nperiod = 1\nsteps = 8\n[parameters]\nmore = 1\n[trim]\n\
+                    [trim.sweep]\nparameter = \"more\"\nvalues = [1, 1.2]\n";
+    let text = plate("a", "b", settings).replace("value = 0.5", "value = \"= 0.3*more\"");
+    let text = format!("units = \"SI\"\n{text}");
+    let parsed = beam_dynamics::input::parse(&text, "x.dynamics.toml").unwrap();
+    let read =
+        |given: &[(String, f64)]| beam_dynamics::input::parse_with(&text, "x.dynamics.toml", given);
+    let mut shown = Vec::new();
+    let settings = parsed.trim.as_ref().unwrap();
+    let outcome = trim_watched("x", settings, &read, &mut |at| shown.push(at));
+    let points = &outcome.result.points;
+    for (index, point) in points.iter().enumerate() {
+        let own: Vec<_> = shown.iter().filter(|at| at.points[0] == index).collect();
+        assert_eq!(own.len(), point.iterations + 1, "{own:?}");
+        let last = own.last().unwrap();
+        assert_eq!((last.at, last.points[1]), (point.at, 2));
+        assert_eq!(last.residual, point.residual);
+    }
 }
 
 // Names of wrong controls are known to expressions: one message each.

@@ -1,6 +1,6 @@
 //! Free flight: an aircraft is held by a joint whose angles are controls, and its six reactions vanish.
 
-use super::{numbers, reference, trimmed};
+use super::{attempt, numbers, reference, trimmed};
 use crate::periodic::Random;
 use crate::record;
 
@@ -177,22 +177,27 @@ fn an_aircraft_in_free_flight() {
     }
 }
 
-// 40 starts with entries within 0.1 of the solution at 60 m/s: all lead to it.
+// 40 starts with entries within 0.1 of the solution at 60 m/s: all lead to it. Of 40 within 0.2,
+// 34 do by the program of the reference; others end in a flight with a stalled tail.
 #[test]
 fn random_starts_lead_to_the_same_flight() {
     let it = reference("theory-periodic/free_flight.json");
     let expected = numbers(&it["V60_held"]);
-    let mut random = Random(7);
-    for _ in 0..40 {
-        let guesses = std::array::from_fn(|i| expected[i] + 0.1 * random.next());
-        let aircraft = Aircraft {
-            speed: 60.0,
-            guesses,
-        };
-        let point = &trimmed(&aircraft.text())[0];
-        for (found, expected) in point.controls.iter().zip(&expected) {
-            assert!((found - expected).abs() < 1e-8, "{guesses:?}: {point:?}");
+    for (size, least) in [(0.1, 40), (0.2, 34)] {
+        let mut random = Random(7);
+        let mut met = 0;
+        for _ in 0..40 {
+            let guesses = std::array::from_fn(|i| expected[i] + size * random.next());
+            let aircraft = Aircraft {
+                speed: 60.0,
+                guesses,
+            };
+            let point = &attempt(&aircraft.text()).result.points[0];
+            let mut pairs = point.controls.iter().zip(&expected);
+            let is_it = pairs.all(|(found, expected)| (found - expected).abs() < 1e-8);
+            met += usize::from(point.failure.is_none() && is_it);
         }
+        assert!(met >= least, "{size}: {met}");
     }
 }
 

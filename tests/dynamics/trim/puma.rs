@@ -75,7 +75,7 @@ fn rotor(folder: &std::path::Path, inflow: &str, factor: f64) -> String {
     format!(
         "[properties.p]\nea = 1e10\ngay = 1e9\ngaz = 1e9\ngj = 1e8\neiy = 1e8\neiz = 1e8\n\
          m = {per_length:?}\niy = 1e-3\niz = 1e-3\n[gravity]\nacceleration = [0, 0, -9.80665]\n\
-         [air]\ndensity = 1.05\nspeed_of_sound = 331\nwind = [{:?}, 0, {:?}]\n\
+         [air]\ndensity = 1.05\nspeed_of_sound = 331\noutside_mach = \"hold\"\nwind = [{:?}, 0, {:?}]\n\
          [airfoils.eq]\nfile = {:?}\n\
          [[rotor]]\nname = \"r\"\nhub = \"articulated\"\nblades = 4\nspeed = {speed:?}\nmass = 80\n\
          [rotor.inflow]\n{inflow}\n[rotor.blade]\nhub_radius = {hinge}\nproperties = \"p\"\n\

@@ -16,11 +16,9 @@ fn control(wind: f64, [feather, rpm]: [f64; 2], cards: &str) -> f64 {
     let text = std::fs::read_to_string(IEA).unwrap();
     let text = text
         .replace("\"15 m/s\"", &format!("\"{wind} m/s\""))
-        .replace(
-            "\"9.189114 deg\"",
-            &format!("\"{feather} deg\"\nrpm = {rpm}"),
-        )
-        .replace("[static]\nspeed = 7.559987\n", cards)
+        .replace("\"9.189114 deg\"", &format!("\"{feather} deg\""))
+        .replace("rpm = 7.559987", &format!("rpm = {rpm}"))
+        .replace("[static]\nspeed = \"= rpm\"\n", cards)
         + "[sensors.torque]\nquantity = \"torque\"\n";
     let parsed = input::parse(&text, IEA).unwrap_or_else(|problems| panic!("{problems}"));
     let read = |given: &[(String, f64)]| input::parse_with(&text, IEA, given);

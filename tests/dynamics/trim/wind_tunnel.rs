@@ -6,7 +6,7 @@ use beam_dynamics::analysis::trim::Trimmed;
 use nalgebra::Complex;
 
 use super::flapping::{Flapping, controls, target};
-use super::{attempt, numbers, reference, trimmed};
+use super::{attempt, numbers, reason, reference, trimmed};
 use crate::record;
 
 const SOURCE: &str = "Trim of a flapping rotor by an ODE of its own";
@@ -77,6 +77,25 @@ fn thrust_and_flapping_of_three_blades() {
             assert!(least < 1e-7, "{advance}: {pair:?} {least:e}");
         }
     }
+}
+
+// Both cyclic controls act on the cosine of the azimuth, so that the tilt sideward is not reached. The
+// response of the targets has the errors of products with the linearized revolution.
+#[test]
+fn dependent_controls_of_a_rotor_are_named() {
+    let row = &reference("theory-periodic/trim_flap.json")["trim"][1];
+    let targets = three_targets(&numbers(&row["targets"]), [0.01, 0.1]);
+    let cards = rotor(row["mu"].as_f64().unwrap()).cards();
+    let cards = cards.replace("t1s*sin", "2*t1s*cos") + &controls([0.2, 0.0, 0.0]) + &targets;
+    let [text, remedy] = reason(&cards);
+    assert!(
+        text.contains("\"t1c\" and \"t1s\" have the same effect on all targets"),
+        "{text}"
+    );
+    assert!(
+        remedy.contains("a control must act on a target"),
+        "{remedy}"
+    );
 }
 
 // Small controls, of which thrust and flapping of the linear ODE are known: the trim finds the controls

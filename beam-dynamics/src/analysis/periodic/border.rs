@@ -179,9 +179,9 @@ impl Border {
     }
 
     /// Why the controls do not determine the targets, from the response of the means (rows, of size
-    /// one) to the controls (columns); `None` if they do.
-    pub fn idle(&self, response: &DMatrix<f64>) -> Option<String> {
-        effects::idle(response, &self.of_controls, &self.of_targets)
+    /// one) to the controls (columns) with its relative errors; `None` if they do.
+    pub fn idle(&self, response: &DMatrix<f64>, errors: f64) -> Option<String> {
+        effects::idle((response, errors), &self.of_controls, &self.of_targets)
     }
 
     /// Number of controls.

@@ -5,6 +5,7 @@
 
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
+use super::passes::Passes;
 use super::sizes::{seen, worst};
 use crate::case::{Model, PeriodicSettings};
 use crate::model::State;
@@ -20,7 +21,7 @@ pub(super) fn march(
     flow: &mut Flow<'_>,
     (model, settings): (&Model, &PeriodicSettings),
     (mut state, algebraic, sizes): (State, &[bool], &[f64]),
-    passes: &mut Vec<PeriodicPass>,
+    passes: &mut Passes<'_>,
 ) -> Result<[State; 2], PeriodicFailure> {
     let mut least = f64::INFINITY;
     loop {
@@ -32,17 +33,18 @@ pub(super) fn march(
             worst: name.clone(),
             products: 0,
             part: 1.0,
+            reached: Vec::new(),
         });
         if part <= settings.tolerance {
             return Ok([state, end]);
         }
         least = least.min(part);
-        let is_over = passes.len() >= settings.periods || !part.is_finite();
+        let is_over = passes.list().len() >= settings.periods || !part.is_finite();
         if is_over || part > LEAVING * least {
-            let ratio = ratio(passes);
+            let ratio = ratio(passes.list());
             let left = (settings.tolerance / part).ln() / ratio.ln();
             return Err(PeriodicFailure::NotSettled {
-                periods: passes.len(),
+                periods: passes.list().len(),
                 worst: name,
                 ratio,
                 left: (ratio < 1.0).then_some(left),

@@ -15,7 +15,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
+use super::passes::Passes;
 use super::shooting::Shooting;
+use crate::analysis::effects;
 use crate::case::AutoPilot;
 use crate::model::State;
 use crate::result::PeriodicPass;
@@ -62,7 +64,7 @@ pub(super) fn pilot(
     shooting: &Shooting<'_>,
     flow: &mut Flow<'_>,
     (state, settings): (&mut State, AutoPilot),
-    passes: &mut Vec<PeriodicPass>,
+    passes: &mut Passes<'_>,
 ) -> Result<[State; 2], PeriodicFailure> {
     let border = shooting.border;
     border.begin(state);
@@ -72,7 +74,7 @@ pub(super) fn pilot(
         reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
     };
     let response = shooting.response(&map).ok_or_else(|| singular(None))?;
-    if let Some(reason) = border.idle(&response) {
+    if let Some(reason) = border.idle(&response, effects::EXACT) {
         return Err(singular(Some(reason)));
     }
     let mut pilot = Pilot {
@@ -96,16 +98,17 @@ pub(super) fn pilot(
             worst: worst.clone(),
             products: 0,
             part: 1.0,
+            reached: border.reached(&end),
         });
         let first = std::mem::replace(state, end);
         if part <= settings.tolerance {
             return Ok([first, state.clone()]);
         }
-        if passes.len() >= shooting.settings.periods || !part.is_finite() {
+        if passes.list().len() >= shooting.settings.periods || !part.is_finite() {
             return Err(match border.at_bound(state) {
                 Some((control, bound)) => PeriodicFailure::bound(control, bound, worst),
                 None => PeriodicFailure::NotConverged {
-                    iterations: passes.len(),
+                    iterations: passes.list().len(),
                     worst,
                 },
             });

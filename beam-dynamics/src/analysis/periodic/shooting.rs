@@ -14,7 +14,9 @@ use super::border::Border;
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
 use super::map::PeriodMap;
+use super::passes::Passes;
 use super::sizes::{seen, worst};
+use crate::analysis::effects;
 use crate::case::{Model, PeriodicSettings};
 use crate::integrator::StepFailure;
 use crate::model::{NODE_UNKNOWNS, State};
@@ -75,12 +77,39 @@ pub(super) struct Shooting<'a> {
 
 impl Shooting<'_> {
     /// The periodic motion of `flow` near the first state `state`, which becomes the last state of the
-    /// iteration; iterations are added to `passes`.
+    /// iteration; iterations are added to `passes`. If it is not found, controls that do not determine
+    /// the targets are named: the corrections of dependent controls are finite but for the errors of
+    /// the linear equations.
     pub fn solve(
         &self,
         flow: &mut Flow<'_>,
         state: &mut State,
-        passes: &mut Vec<PeriodicPass>,
+        passes: &mut Passes<'_>,
+    ) -> Result<Orbit, PeriodicFailure> {
+        let mut last = None;
+        let found = self.iterate(flow, state, passes, &mut last);
+        found.map_err(|failure| {
+            let is_search = matches!(
+                failure,
+                PeriodicFailure::NotConverged { .. }
+                    | PeriodicFailure::Unreached { .. }
+                    | PeriodicFailure::Bound { .. }
+            );
+            let response = last
+                .filter(|_| is_search)
+                .and_then(|map| self.response(&map));
+            let idle = response.and_then(|found| self.border.idle(&found, effects::BY_PRODUCTS));
+            idle.map_or(failure, |reason| PeriodicFailure::Singular { reason })
+        })
+    }
+
+    /// Newton's method; `last` is the last linearized period.
+    fn iterate(
+        &self,
+        flow: &mut Flow<'_>,
+        state: &mut State,
+        passes: &mut Passes<'_>,
+        last: &mut Option<PeriodMap>,
     ) -> Result<Orbit, PeriodicFailure> {
         self.border.begin(state);
         let rows = self.border.sizes(self.sizes);
@@ -102,17 +131,19 @@ impl Shooting<'_> {
                 worst: worst.clone(),
                 products: 0,
                 part: 0.0,
+                reached: self.border.reached(&end),
             });
             if part <= self.settings.tolerance {
                 let state = state.clone();
                 return Ok(Orbit { state, end, map });
             }
+            let map = last.insert(map);
             if iterations >= self.settings.iterations || !part.is_finite() {
                 return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
-            let found = self.correction(&map, &residual, &rows);
+            let found = self.correction(map, &residual, &rows);
             let Some(found) = found.filter(|found| found.residual < SINGULAR) else {
-                return Err(self.singular(&map, worst));
+                return Err(self.singular(map, worst));
             };
             let mut d: Vec<_> = found.x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
             let applied = self.part(&d);
@@ -228,7 +259,7 @@ impl Shooting<'_> {
     /// repeat.
     fn singular(&self, map: &PeriodMap, name: String) -> PeriodicFailure {
         let response = self.response(map);
-        let idle = response.and_then(|response| self.border.idle(&response));
+        let idle = response.and_then(|response| self.border.idle(&response, effects::BY_PRODUCTS));
         let reason = idle.unwrap_or_else(|| format!("nothing determines {name}"));
         PeriodicFailure::Singular { reason }
     }

@@ -79,24 +79,23 @@ pub(super) fn balanced(
     let solver = LinearSolver::new(model.system.pattern());
     let full = conditions(model, settings);
     let near = from.map(|state| equilibrium(model, &solver, (&full, state), &full));
-    let found = match near {
-        Some(Ok(found)) => found,
-        _ => from_guesses(model, settings, (&solver, &full))?,
-    };
-    let controls = &settings.controls;
-    let labels = controls.iter().map(|control| &control.label);
-    for (control, value) in controls.iter().zip(values(model, &found.state, labels)) {
-        let bound = value.clamp(control.bounds[0], control.bounds[1]);
-        if value != bound {
-            let control = control.name.clone();
-            return Err(NotBalanced::Bound {
-                control,
-                value,
-                bound,
-            });
-        }
+    match near {
+        Some(Ok(found)) => Ok(found),
+        _ => from_guesses(model, settings, (&solver, &full)),
     }
-    Ok(found)
+}
+
+/// The first control whose value is beyond a bound.
+pub(super) fn beyond_bound(settings: &TrimSettings, values: &[f64]) -> Option<NotBalanced> {
+    let mut pairs = settings.controls.iter().zip(values);
+    pairs.find_map(|(control, value)| {
+        let bound = value.clamp(control.bounds[0], control.bounds[1]);
+        (*value != bound).then(|| NotBalanced::Bound {
+            control: control.name.clone(),
+            value: *value,
+            bound,
+        })
+    })
 }
 
 fn from_guesses(
@@ -119,7 +118,11 @@ fn from_guesses(
         Err(failure) => {
             let balance = Balance::new(&model.system, solver, guesses, first.state);
             let idle = response(model, settings, &balance).and_then(|response| {
-                effects::idle(&response, &settings.controls, &settings.targets)
+                effects::idle(
+                    (&response, effects::EXACT),
+                    &settings.controls,
+                    &settings.targets,
+                )
             });
             Err(idle.map_or(NotBalanced::Targets(failure), NotBalanced::Idle))
         }

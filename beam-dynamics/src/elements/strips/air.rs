@@ -8,6 +8,10 @@ use rotor_aero::wind::{Atmosphere, Wind, WindField};
 use shared_geom::error::Explain;
 use shared_geom::hash::sha256_of;
 
+/// Remedy of Mach numbers beyond the tables of airfoils.
+pub const LARGER_TABLES: &str = "add tables of larger Mach numbers to its file, or outside_mach = \"hold\" \
+                                 to [air], which uses the last table beyond its Mach number";
+
 /// The air in which a model moves.
 #[derive(Clone)]
 pub struct Air {
@@ -19,6 +23,8 @@ pub struct Air {
     constant: Option<Vector3<f64>>,
     /// Fingerprint of the wind.
     fingerprint: String,
+    /// Whether strips have no values at Mach numbers beyond the tables of their airfoils.
+    refuses_mach: bool,
 }
 
 /// Standard air at sea level, at rest.
@@ -34,6 +40,7 @@ impl fmt::Debug for Air {
         f.debug_struct("Air")
             .field("atmosphere", &self.atmosphere)
             .field("wind", &self.fingerprint)
+            .field("refuses_mach", &self.refuses_mach)
             .finish()
     }
 }
@@ -46,7 +53,23 @@ impl Air {
             constant: wind.constant(),
             fingerprint: sha256_of(&[format!("{wind:?}").as_bytes()]),
             wind: Arc::new(wind),
+            refuses_mach: false,
         }
+    }
+
+    /// The same, in which strips have no values at Mach numbers beyond the tables of their airfoils,
+    /// rather than the ones of the last curves.
+    #[must_use]
+    pub fn refusing_mach(self) -> Self {
+        Self {
+            refuses_mach: true,
+            ..self
+        }
+    }
+
+    /// Whether strips have no values at Mach numbers beyond the tables of their airfoils.
+    pub fn refuses_mach(&self) -> bool {
+        self.refuses_mach
     }
 
     /// Its wind.

@@ -20,7 +20,7 @@ use rotor_aero::strip::{
     ActingAir, FLOW as STRIP_FLOW, LOADS, OUTPUTS, STATES, Strip, StripJacobian,
 };
 
-use super::air::Air;
+use super::air::{Air, LARGER_TABLES};
 use super::carrier::{Carrier, CarrierState};
 use super::columns::{Columns, FLAP, Loads, OWN, TIP};
 use super::disk::RotorDisk;
@@ -323,7 +323,8 @@ impl Element for AirStrip {
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let air = self.acting(at);
         // Models of sections may have forces at any speed.
-        let is_known = numbers.iter().all(|number| number.is_finite());
+        let is_known = numbers.iter().all(|number| number.is_finite())
+            && (!self.air.refuses_mach() || self.strip.is_within_tables(air, &numbers));
         let Some(jacobian) = jacobian else {
             let found = if is_known {
                 self.strip.evaluate(air, &numbers, values, rates)
@@ -398,7 +399,13 @@ impl Structure for AirStrip {
 
     fn undefined(&self, at: &Local<'_>) -> Option<String> {
         let point = self.mount.quarter_chord(at.nodes);
-        self.air.undefined(&point, at.loading.time)
+        let of_air = self.air.undefined(&point, at.loading.time);
+        of_air.or_else(|| {
+            let numbers = self.numbers(&self.flow(&self.carrier(at), at), at);
+            let beyond = self.strip.beyond_mach(self.acting(at), &numbers)?;
+            let refused = self.air.refuses_mach();
+            refused.then(|| format!("{beyond}; {LARGER_TABLES}"))
+        })
     }
 }
 

@@ -47,6 +47,17 @@ fn strip(wind: Wind) -> (AirStrip, Node) {
 
 /// The same of a rotor.
 fn strip_of(wind: Wind, rotor: Option<StripRotor>) -> (AirStrip, Node) {
+    made(Air::new(Atmosphere::default(), wind), "thin", rotor)
+}
+
+/// A strip of another airfoil in air that refuses Mach numbers beyond its table, or does not.
+fn strip_in(wind: Wind, airfoil: &str, refuses: bool) -> (AirStrip, Node) {
+    let air = Air::new(Atmosphere::default(), wind);
+    let air = if refuses { air.refusing_mach() } else { air };
+    made(air, airfoil, None)
+}
+
+fn made(air: Air, airfoil: &str, rotor: Option<StripRotor>) -> (AirStrip, Node) {
     let node = Node {
         label: "body".to_owned(),
         position: Vector3::new(-3.0, 0.0, 0.0),
@@ -54,7 +65,7 @@ fn strip_of(wind: Wind, rotor: Option<StripRotor>) -> (AirStrip, Node) {
     };
     let design = StripDesign {
         chord: CHORD,
-        section: Section::single(Arc::new(built_in("thin").unwrap())),
+        section: Section::single(Arc::new(built_in(airfoil).unwrap())),
         model: SectionModel::of_word("quasi_steady").unwrap(),
         inflow: None,
         radial_drag: false,
@@ -64,7 +75,7 @@ fn strip_of(wind: Wind, rotor: Option<StripRotor>) -> (AirStrip, Node) {
         axes: Matrix3::identity(),
         length: SPAN,
     };
-    let air = Arc::new(Air::new(Atmosphere::default(), wind));
+    let air = Arc::new(air);
     let strip = (Arc::new(Strip::new(design)), geometry);
     let placed = (0, &node, Vector3::zeros());
     (AirStrip::on_body("strip", placed, strip, rotor, air), node)
@@ -224,6 +235,30 @@ fn outside_a_box_there_is_no_force_but_a_reason() {
         "{why}"
     );
     assert!(why.contains("use a longer box"), "{why}");
+}
+
+/// The table of NACA 0012 ends at Mach 0.8, which is 272.2 m/s in standard air.
+#[test]
+fn beyond_a_table_there_is_no_force_but_a_reason() {
+    let wind = |speed: f64| Wind::uniform(&Vector3::new(-speed, 0.0, 0.0), Vector3::y()).unwrap();
+    let of = |speed: f64, refuses: bool| {
+        let (strip, node) = strip_in(wind(speed), "naca0012", refuses);
+        force(&strip, &node, 0.0)
+    };
+    for (speed, refuses) in [(272.0, true), (273.0, false)] {
+        let (found, why) = of(speed, refuses);
+        assert!(found.iter().all(|number| number.is_finite()) && why.is_none());
+    }
+    let (found, why) = of(273.0, true);
+    assert!(found.iter().all(|number| number.is_nan()), "{found}");
+    let why = why.unwrap();
+    assert!(
+        why.starts_with(
+            "the flow has Mach 0.802, and the table of airfoil \"NACA 0012\" is for Mach numbers from \
+             0.15 to 0.8; add tables of larger Mach numbers"
+        ),
+        "{why}"
+    );
 }
 
 #[test]

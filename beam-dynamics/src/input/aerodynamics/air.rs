@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rotor_aero::wind::{Atmosphere, AtmosphereInput, Wind, WindProblem};
 use shared_geom::document::schema::ValueKind::{
-    Positive, Quantity, Table as OneTable, Tables, Vector,
+    Positive, Quantity, Table as OneTable, Tables, Vector, Word,
 };
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
@@ -13,6 +13,7 @@ use crate::elements::strips::Air;
 use crate::input::drives;
 
 mod checks;
+mod condition;
 mod event;
 mod gusts;
 mod mean;
@@ -23,7 +24,7 @@ mod turbulence;
 #[cfg(test)]
 mod tests;
 
-pub(in crate::input) use checks::{check_boxes, check_steady};
+pub(in crate::input) use checks::{check_boxes, check_mach, check_steady};
 pub use problem::AirProblem;
 
 use mean::MeanCard;
@@ -45,12 +46,16 @@ keys! {
     /// Dynamic viscosity.
     VISCOSITY: Option<f64> = "viscosity", [Positive(Dimension::VISCOSITY)], or "by `altitude`",
         "1.81e-5";
+    /// Mach numbers of strips beyond the tables of their airfoils: an error, or the values of the
+    /// last table.
+    OUTSIDE_MACH: usize = "outside_mach", [Word(&["refuse", "hold"])],
+        or "\"refuse\"" = 0, "\"hold\"";
     /// Velocity of the wind, or a table.
     WIND: ByHand = "wind", [Vector(3, Dimension::VELOCITY), OneTable(&mean::CARD)],
         or "[0, 0, 0]", "[8, 0, 0]";
     /// Gusts that travel.
     GUSTS: ByHand = "gust", [Tables(&gusts::CARD)], optional, "";
-    /// An event of IEC 61400-1.
+    /// A wind condition of IEC 61400-1.
     EVENT: ByHand = "event", [OneTable(&event::CARD)], optional, "";
     /// A turbulence box.
     TURBULENCE: ByHand = "turbulence", [OneTable(&turbulence::CARD)], optional, "";
@@ -66,7 +71,7 @@ pub(super) fn read(
     drives: &drives::Catalog,
 ) -> Option<Air> {
     let Some(table) = root.has("air").then(|| root.table("air")) else {
-        return Some(Air::default());
+        return Some(Air::default().refusing_mach());
     };
     let table = table?;
     let up = if gravity.norm() > 0.0 {
@@ -75,8 +80,13 @@ pub(super) fn read(
         Vector3::z()
     };
     let (atmosphere, wind) = (atmosphere(&table), wind(&table, &up, drives));
+    let outside_mach = table.get(&OUTSIDE_MACH);
     table.finish();
-    Some(Air::new(atmosphere?, wind?))
+    let air = Air::new(atmosphere?, wind?);
+    Some(match outside_mach? {
+        0 => air.refusing_mach(),
+        _ => air,
+    })
 }
 
 fn atmosphere(table: &Table<'_>) -> Option<Atmosphere> {
@@ -114,21 +124,28 @@ fn wind(table: &Table<'_>, up: &Vector3<f64>, drives: &drives::Catalog) -> Optio
     let known = mean.as_ref();
     let gusts = gusts::read(&table.tables(&GUSTS), known);
     let towers = towers::read(&table.tables(&TOWERS), known.map(|mean| &mean.frame));
-    let event = optional(table, EVENT.name(), |table| event::read(table, known));
+    let has_box = table.has(&TURBULENCE);
+    let condition = optional(table, EVENT.name(), |table| {
+        event::read(table, known, has_box)
+    });
     let turbulence = optional(table, TURBULENCE.name(), |table| {
         turbulence::read(table, known)
     });
-    let (events, boxes) = (event?.into_iter(), turbulence?.into_iter());
+    let (condition, boxes) = (condition?, turbulence?.into_iter());
     let (gusts, towers) = (gusts?, towers?);
     let MeanCard { frame, mean } = mean?;
-    Some(Wind {
+    let mut wind = Wind {
         frame,
         mean,
-        events: events.collect(),
+        events: Vec::new(),
         gusts,
         boxes: boxes.collect(),
         towers,
-    })
+    };
+    if let Some(condition) = condition {
+        condition::add(condition, &mut wind, table)?;
+    }
+    Some(wind)
 }
 
 /// The content of a table in `table`: `Some(None)` if it is absent, `None` if it is wrong.

@@ -1,13 +1,13 @@
 //! Airfoils from files of any known format.
 
-use rotor_aero::airfoil::files::{self, Reading};
-use rotor_aero::airfoil::{Airfoil, AirfoilData, AirfoilProblem, Interpolation};
+use rotor_aero::airfoil::files::{self, ReadAirfoil, Reading};
+use rotor_aero::airfoil::{Airfoil, AirfoilData, AirfoilProblem, Interpolation, UnsteadyConstants};
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
 
 use super::problem::StripProblem;
 
-/// The table of the airfoil `name` from files, as named under a key: one per Reynolds number, or
+/// The table of the airfoil `name` from files with its constants, as named under a key: one per Reynolds number, or
 /// one for all; `of_file` is its name in a file of several. Problems are noted.
 pub(super) fn read(
     name: &str,
@@ -15,7 +15,7 @@ pub(super) fn read(
     written: &[String],
     of_file: Option<&str>,
     remarks: &mut Vec<String>,
-) -> Option<AirfoilData> {
+) -> Option<(AirfoilData, UnsteadyConstants)> {
     let readings = written.iter().map(|file| {
         let mut reading = one(name, (table, key), file, of_file)?;
         let of_airfoil = |remark: String| format!("airfoil \"{name}\": {remark}");
@@ -29,8 +29,25 @@ pub(super) fn read(
     let readings: Vec<_> = readings.collect();
     let readings: Vec<Reading> = readings.into_iter().collect::<Option<_>>()?;
     let merged = table.keep_file(key, files::merge(readings))?;
-    let first = merged.airfoils.into_iter().next();
-    first.map(|airfoil| airfoil.data)
+    let first = merged.airfoils.into_iter().next()?;
+    let constants = constants(&first, remarks);
+    Some((first.data, constants))
+}
+
+/// The constants of unsteady models of an airfoil; tables with other ones are remarked.
+pub(in crate::input) fn constants(
+    airfoil: &ReadAirfoil,
+    remarks: &mut Vec<String>,
+) -> UnsteadyConstants {
+    let (found, are_equal) = airfoil.constants();
+    if !are_equal {
+        remarks.push(format!(
+            "airfoil \"{}\": its tables have different constants of unsteady models; the ones of the \
+             first are used",
+            airfoil.data.name
+        ));
+    }
+    found
 }
 
 /// The reading of one file with the airfoil alone, under the name `name`.

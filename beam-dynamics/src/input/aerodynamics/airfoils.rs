@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use rotor_aero::airfoil::{Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, built_in};
+use rotor_aero::airfoil::{
+    Airfoil, AirfoilData, BUILT_IN, BuiltIn, LinearLift, Section, UnsteadyConstants, built_in,
+};
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text, Texts};
 use shared_geom::keys;
@@ -11,6 +13,7 @@ use shared_geom::units::Dimension;
 use super::airfoil_files;
 use super::changes::{self, COMPRESSIBLE, Changes, MIRROR, STALL_DELAY, VITERNA};
 use super::problem::StripProblem;
+use super::unsteady::{self, UNSTEADY};
 
 keys! {
     /// An airfoil: a file, a built-in airfoil, or linear lift.
@@ -30,7 +33,8 @@ keys! {
     DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
     /// Linear lift: coefficient of the moment about the quarter chord.
     MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
-    with STALL_DELAY.schema, VITERNA.schema, COMPRESSIBLE.schema, MIRROR.schema;
+    with STALL_DELAY.schema, VITERNA.schema, COMPRESSIBLE.schema, MIRROR.schema,
+        UNSTEADY.schema;
 }
 
 /// Airfoils by name; wrong ones are `None`.
@@ -45,14 +49,23 @@ pub(in crate::input) struct Airfoils {
 pub(in crate::input) fn read(root: &Table<'_>) -> Airfoils {
     let mut airfoils = Airfoils::default();
     for (name, table) in root.named_tables("airfoils") {
-        let airfoil = airfoil(&name, &table, &mut airfoils.remarks);
+        let found = airfoil(&name, &table, &mut airfoils.remarks);
+        let (airfoil, constants) = found.unzip();
+        let constants = unsteady::read(&table, constants.unwrap_or_default());
+        let airfoil = airfoil.zip(constants);
+        let airfoil = airfoil.map(|(airfoil, constants)| airfoil.with_unsteady(constants));
         table.finish();
         airfoils.named.push((name, airfoil.map(Arc::new)));
     }
     airfoils
 }
 
-fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<Airfoil> {
+/// An airfoil, and the constants of unsteady models of its file.
+fn airfoil(
+    name: &str,
+    table: &Table<'_>,
+    remarks: &mut Vec<String>,
+) -> Option<(Airfoil, UnsteadyConstants)> {
     let (file, of_file) = (table.get(&FILE), table.get(&AIRFOIL));
     let (built_in, slope) = (table.get(&BUILT_IN_NAME), table.get(&SLOPE));
     let linear = [&ZERO_LIFT, &DRAG, &MOMENT];
@@ -64,15 +77,7 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     let (file, of_file, built_in, slope) = (file?, of_file?, built_in?, slope?);
     let changes = changes?;
     let given = [file.is_some(), built_in.is_some(), slope.is_some()];
-    let count = given.iter().filter(|given| **given).count();
-    if count != 1 {
-        let found = match count {
-            0 => "no source",
-            _ => "several sources",
-        };
-        table.note("", &StripProblem::AirfoilSource { name, found });
-        return None;
-    }
+    one_source(&name, table, given)?;
     let useless = match (&file, slope) {
         (_, None) if has_linear.is_some() => has_linear.map(|key| (key, SLOPE.name())),
         (None, _) if of_file.is_some() => Some((AIRFOIL.name(), FILE.name())),
@@ -85,17 +90,25 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
     }
     if let Some(files) = file {
         let at = (table, FILE.name());
-        let data = airfoil_files::read(&name, at, &files, of_file.as_deref(), remarks)?;
-        return changed(data, &changes, at, remarks);
+        let (data, constants) =
+            airfoil_files::read(&name, at, &files, of_file.as_deref(), remarks)?;
+        let found = changed(data, &changes, at, remarks)?;
+        // The constants are of the upright section.
+        return Some(if changes.mirrors() {
+            (found, UnsteadyConstants::default())
+        } else {
+            (found, constants)
+        });
     }
     if let Some(wanted) = built_in {
         let at = (table, BUILT_IN_NAME.name());
         let found = named_built_in(&wanted, at, &format!("airfoil \"{name}\""))?;
-        return if changes.is_any() {
+        let found = if changes.is_any() {
             changed(found.data(), &changes, at, remarks)
         } else {
             Some(found.airfoil())
         };
+        return without_constants(found?);
     }
     let lift = LinearLift {
         slope: slope?,
@@ -104,12 +117,38 @@ fn airfoil(name: &str, table: &Table<'_>, remarks: &mut Vec<String>) -> Option<A
         moment: moment?,
         ..LinearLift::default()
     };
+    without_constants(of_lift(lift, (&name, &changes), table)?)
+}
+
+/// An airfoil of linear lift with its change by the Mach number.
+fn of_lift(
+    lift: LinearLift,
+    (name, changes): (&str, &Changes),
+    table: &Table<'_>,
+) -> Option<Airfoil> {
     let lift = match changes.mach_limit() {
-        Some(limit) => lift.with_compressibility(&name, limit),
+        Some(limit) => lift.with_compressibility(name, limit),
         None => Ok(lift),
     };
-    let note = |problem| airfoil_files::note(&name, problem, (table, COMPRESSIBLE.name()));
+    let note = |problem| airfoil_files::note(name, problem, (table, COMPRESSIBLE.name()));
     lift.map(Airfoil::linear).map_err(note).ok()
+}
+
+/// Notes an airfoil of no source or of several.
+fn one_source(name: &str, table: &Table<'_>, given: [bool; 3]) -> Option<()> {
+    let found = match given.iter().filter(|given| **given).count() {
+        0 => "no source",
+        1 => return Some(()),
+        _ => "several sources",
+    };
+    let name = name.to_owned();
+    table.note("", &StripProblem::AirfoilSource { name, found });
+    None
+}
+
+/// An airfoil whose source states no constants.
+fn without_constants(airfoil: Airfoil) -> Option<(Airfoil, UnsteadyConstants)> {
+    Some((airfoil, UnsteadyConstants::default()))
 }
 
 /// The airfoil of a changed table; problems are noted under a key.

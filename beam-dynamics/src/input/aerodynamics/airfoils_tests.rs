@@ -86,3 +86,44 @@ fn faults_of_changes_have_remedies() {
         assert!(shown.contains(expected), "{expected:?} in:\n{shown}");
     }
 }
+
+/// Constants of a polar of AeroDyn 15, replaced by keys; other Mach numbers of NACA 0012 by Leishman
+/// and Beddoes (1989): T_p = 2, C_N1 = 1.05 at Mach 0.5.
+#[test]
+fn constants_of_unsteady_models() {
+    let polar = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../tests/reference/aero/iea15/AeroDyn15_Polar_20.dat"
+    );
+    let of = |text: &str| {
+        let found = airfoils(text).unwrap();
+        let airfoil = found.named[0].1.clone().unwrap();
+        airfoil.unsteady().clone()
+    };
+    let file = format!("[airfoils.a]\nfile = \"{}\"\n", polar.replace('\\', "/"));
+    let found = of(&file);
+    assert_eq!(found.get("alpha0"), Some(-2.766799));
+    assert_eq!((found.get("Cn1"), found.get("T_p")), (Some(1.944572), None));
+    let found = of(&format!(
+        "{file}unsteady = {{ critical_normal = 1.5, zero_lift = -3, pressure_time = 2 }}\n"
+    ));
+    assert_eq!((found.get("Cn1"), found.get("T_p")), (Some(1.5), Some(2.0)));
+    assert!((found.get("alpha0").unwrap() + 3.0).abs() < 1e-12);
+    assert_eq!(of(&format!("{file}mirror = true\n")).get("Cn1"), None);
+    let built_in = "[airfoils.a]\nbuilt_in = \"naca0012\"\n";
+    let found = of(&format!(
+        "{built_in}unsteady = {{ mach = 0.5, suction = 0.9 }}\n"
+    ));
+    assert_eq!(
+        (found.get("T_p"), found.get("Cn1")),
+        (Some(2.0), Some(1.05))
+    );
+    assert_eq!(found.get("eta_e"), Some(0.9));
+    let shown = airfoils(&format!(
+        "{built_in}unsteady = {{ vortex_time = 0, mah = 1 }}\n"
+    ));
+    let shown = shown.unwrap_err();
+    for words in ["\"vortex_time\"", "unknown key \"mah\"", "\"mach\""] {
+        assert!(shown.contains(words), "{words}\n{shown}");
+    }
+}

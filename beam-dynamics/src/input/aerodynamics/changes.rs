@@ -109,6 +109,11 @@ impl Changes {
         self.of_table().is_some() || self.mach_limit.is_some()
     }
 
+    /// Whether the section is turned upside down.
+    pub fn mirrors(&self) -> bool {
+        self.mirror
+    }
+
     /// The Mach number from which the factor of compressibility is constant, if it is wanted.
     pub fn mach_limit(&self) -> Option<f64> {
         self.mach_limit

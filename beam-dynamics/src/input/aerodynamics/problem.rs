@@ -2,6 +2,7 @@
 
 use shared_geom::error::{Explain, nearest_name};
 
+use crate::elements::strips::LARGER_TABLES;
 use crate::input::short_number;
 
 /// A problem of `[airfoils]`, `[[strip]]`, `[blade.aerodynamics]` or `[[inflow]]`.
@@ -112,6 +113,26 @@ pub enum StripProblem {
         /// The position of the one before [m].
         before: f64,
     },
+    /// Strips beyond the Mach numbers of the table of their airfoil.
+    #[error(
+        "strips of \"{blade}\" reach Mach {found:.3} at {} m, and the table of airfoil \"{airfoil}\" is \
+         for Mach numbers from {} to {}",
+        short_number(*.radius, 4),
+        range[0],
+        range[1]
+    )]
+    Mach {
+        /// Name of the blade or card of strips.
+        blade: String,
+        /// Name of the airfoil.
+        airfoil: String,
+        /// Largest distance from the shaft with this airfoil \[m\].
+        radius: f64,
+        /// Mach number there, without induction \[-\].
+        found: f64,
+        /// Mach numbers of the table \[-\].
+        range: [f64; 2],
+    },
     /// Stations beyond the line.
     #[error(
         "station {} is at {} m, expected a position on the line, from 0 to {} m",
@@ -166,6 +187,7 @@ impl Explain for StripProblem {
             }
             Self::NoSpan => Some("give both ends of the span, or beams of an open line".to_owned()),
             Self::ForwardAlong => Some("\"forward\" points toward the leading edge".to_owned()),
+            Self::Mach { .. } => Some(LARGER_TABLES.to_owned()),
             Self::FewStations { .. } => None,
         }
     }

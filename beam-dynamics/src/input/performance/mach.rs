@@ -28,10 +28,10 @@ pub(super) fn check(
         let Some((found, part)) = parts.max_by(|a, b| a.0.total_cmp(&b.0)) else {
             continue;
         };
-        if found > limit.largest {
+        if found > limit.range[1] {
             let problem = PerformanceProblem::Mach {
                 airfoil: limit.airfoil,
-                largest: limit.largest,
+                largest: limit.range[1],
                 found,
                 part,
             };

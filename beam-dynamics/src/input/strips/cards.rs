@@ -23,7 +23,7 @@ use super::stations::{self, Between};
 use super::{
     Along, FLAPS, INFLOW_NAME, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS, STATIONS,
     StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams, point_at,
-    strip_rotor, strips,
+    strip_rotor, strips, unused,
 };
 use crate::elements::strips::{Air, AirStrip, StripGeometry, StripRotor};
 use crate::input::aerodynamics::StripProblem;
@@ -101,14 +101,18 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         Line::Beams(_) => frame.direction(&forward),
     };
     let axes = axes(table, &span, &forward)?;
+    let user = words.clone();
     let rotor = match inflow? {
         Some(name) => Some(rotor(&name, table, (label, words), builder)?),
         None => None,
     };
+    let (model, stations) = (SectionModel::of_word(SECTIONS.get(section?)?)?, stations?);
+    let unused = unused::remark(&user, &model, stations.sections());
+    builder.add_remarks(unused.into_iter().collect());
     let air = Along {
-        stations: stations?,
+        stations,
         flaps: flaps?,
-        model: SectionModel::of_word(SECTIONS.get(section?)?)?,
+        model,
         points: points?,
         radial_drag: radial_drag?,
     };

@@ -82,6 +82,11 @@ impl Stations {
         self.stations.iter().map(|station| station.at)
     }
 
+    /// Their sections.
+    pub fn sections(&self) -> impl Iterator<Item = &Section> {
+        self.stations.iter().map(|station| &station.airfoil)
+    }
+
     /// Largest Mach numbers of the tables; `radius` is the distance from the shaft at a position
     /// \[m\].
     pub fn mach_limits(&self, radius: impl Fn(f64) -> f64) -> Vec<MachLimit> {

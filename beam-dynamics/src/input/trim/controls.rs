@@ -10,10 +10,7 @@ use crate::elements::Element;
 
 /// The cards of the controls with their names, without those that have none.
 pub(super) fn named_cards<'a>(root: &Table<'a>) -> Vec<(String, Table<'a>)> {
-    let table = root.is_table("trim").then(|| root.table("trim")).flatten();
-    let cards = table
-        .filter(|table| table.is_list(CONTROL.name()))
-        .map_or_else(Vec::new, |table| table.tables(&CONTROL));
+    let cards = root.listed("trim", CONTROL.name());
     let named = |card: Table<'a>| {
         let name = card
             .is_text(NAME.name())

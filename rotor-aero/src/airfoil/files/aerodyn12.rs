@@ -7,7 +7,7 @@
 use shared_geom::error::shortened;
 use shared_geom::exchange::text::{Line, lines, number};
 
-use super::constants::UnsteadyConstants;
+use super::super::constants::UnsteadyConstants;
 use super::grid::{Grid, Row, Unit};
 use super::notes::Notes;
 use super::reading::{Options, ReadAirfoil};

@@ -6,7 +6,7 @@
 
 use shared_geom::exchange::text::{Line, lines, number};
 
-use super::constants::{UnsteadyConstants, is_name};
+use super::super::constants::{UnsteadyConstants, is_name};
 use super::grid::{Grid, Row, Unit};
 use super::notes::Notes;
 use super::reading::{Columns, Options, ReadAirfoil};

@@ -64,7 +64,8 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Checks the rows of the table `what`, whose first line is `line`; notes problems.
+    /// Checks the rows of the table `what`, whose first line is `line`; notes problems. With a problem
+    /// it has the sound rows: the file is refused, but its table is not absent.
     pub fn of(
         rows: &[Row],
         unit: Unit,
@@ -87,7 +88,10 @@ impl Grid {
         for row in rows {
             is_sound &= grid.add(row, unit, what, notes);
         }
-        is_sound.then(|| grid.remarked(what, line, notes))
+        if is_sound {
+            grid.remark(what, line, notes);
+        }
+        Some(grid)
     }
 
     /// Adds a row; notes its problem.
@@ -142,7 +146,7 @@ impl Grid {
     }
 
     /// Remarks on a table that does not close.
-    fn remarked(self, what: &str, line: usize, notes: &mut Notes) -> Self {
+    fn remark(&self, what: &str, line: usize, notes: &mut Notes) {
         let (first, last) = (self.alpha.first().copied(), self.alpha.last().copied());
         let is_whole = first == Some(-PI) && last == Some(PI);
         let differ = |column: &Vec<f64>| match (column.first(), column.last()) {
@@ -159,7 +163,6 @@ impl Grid {
             let text = format!("{what}: only one end of the table is at half a turn");
             notes.remark(line, &text);
         }
-        self
     }
 
     /// Adds points at -pi and pi to a table that ends close to them, linear over the gap.

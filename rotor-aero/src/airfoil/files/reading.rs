@@ -1,7 +1,7 @@
 //! The content of a file of airfoils, and settings of its reader.
 
+use super::super::constants::UnsteadyConstants;
 use super::super::data::AirfoilData;
-use super::constants::UnsteadyConstants;
 
 /// A file format of airfoil tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -70,6 +70,18 @@ pub struct ReadAirfoil {
     pub coordinates: Option<String>,
     /// Set of profiles of a HAWC2 pc file, from one.
     pub set: Option<usize>,
+}
+
+impl ReadAirfoil {
+    /// The constants of unsteady models of its first table without a deflection, and whether the other
+    /// tables have the same.
+    pub fn constants(&self) -> (UnsteadyConstants, bool) {
+        let is_plain = |one: &&UnsteadyConstants| one.control.is_none_or(|control| control == 0.0);
+        let plain = self.unsteady.iter().find(is_plain);
+        let found = plain.or(self.unsteady.first()).cloned().unwrap_or_default();
+        let are_equal = self.unsteady.iter().all(|one| one.values == found.values);
+        (found, are_equal)
+    }
 }
 
 /// The airfoils of a file, or of several files of one family.

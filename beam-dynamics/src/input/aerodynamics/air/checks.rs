@@ -1,14 +1,15 @@
-//! Checks of the wind with the rest of the model: rotors in steady states, and the size of
-//! turbulence boxes.
+//! Checks of the air with the rest of the model: rotors in steady states, Mach numbers of strips, and
+//! the size of turbulence boxes.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{OutsideGrid, WindField};
+use rotor_aero::wind::{OutsideGrid, TooSmall, WindField};
 use shared_geom::document::Table;
 
 use super::problem::AirProblem;
-use super::{TURBULENCE, WIND, turbulence};
+use super::{EVENT, OUTSIDE_MACH, TURBULENCE, WIND, event, turbulence};
 use crate::case::FrameRotation;
 use crate::elements::strips::Air;
+use crate::input::aerodynamics::{MachLimit, StripProblem};
 use crate::input::rotor_speed::RPM;
 use crate::input::short_number;
 
@@ -49,6 +50,41 @@ fn across(velocity: &Vector3<f64>, axis: &Vector3<f64>) -> f64 {
     (velocity - axis * axis.dot(velocity)).norm()
 }
 
+/// Notes each airfoil whose table ends below the Mach number of the blades, by their names, at a rotor
+/// speed \[rad/s\] in a constant wind, without induction; other winds and motions are checked at each
+/// state.
+pub(in crate::input) fn check_mach<'a>(
+    root: &Table<'_>,
+    air: &Air,
+    (rotation, speed): (&FrameRotation, f64),
+    limits: impl Iterator<Item = (&'a str, &'a MachLimit)>,
+) {
+    if !air.refuses_mach() {
+        return;
+    }
+    let wind = air.constant().unwrap_or_default();
+    let (along, across) = (rotation.axis.dot(&wind), across(&wind, &rotation.axis));
+    let mut known = Vec::new();
+    for (blade, limit) in limits {
+        let found = (speed * limit.radius + across).hypot(along) / air.atmosphere.sound_speed;
+        if found <= limit.range[1] || known.contains(&&limit.airfoil) {
+            continue;
+        }
+        known.push(&limit.airfoil);
+        let problem = StripProblem::Mach {
+            blade: blade.to_owned(),
+            airfoil: limit.airfoil.clone(),
+            radius: limit.radius,
+            found,
+            range: limit.range,
+        };
+        match root.has("air").then(|| root.table("air")).flatten() {
+            Some(table) => table.note(&OUTSIDE_MACH, &problem),
+            None => root.note("air", &problem),
+        }
+    }
+}
+
 /// Notes turbulence boxes that are too small for a rotor of a `radius` \[m\], of which the center
 /// is at `center` \[m\], in a run until `end` \[s\].
 pub(in crate::input) fn check_boxes(
@@ -63,12 +99,38 @@ pub(in crate::input) fn check_boxes(
         if one.outside_grid() == OutsideGrid::Extend {
             continue;
         }
-        let (Err(problems), Some(table)) = (one.covers(radius, height, end), root.table("air"))
-        else {
-            continue;
-        };
-        if let Some(table) = table.table(&TURBULENCE) {
-            let _: Option<()> = table.keep_file(turbulence::FILE.name(), Err(problems));
+        for problem in one.uncovered(radius, height, end) {
+            note_small(root, &problem);
         }
+    }
+}
+
+/// Notes a box that is too small, with the key that names it or the condition that generates it.
+fn note_small(root: &Table<'_>, problem: &TooSmall) {
+    let Some(air) = root.table("air") else {
+        return;
+    };
+    if let Some(table) = air
+        .has(&TURBULENCE)
+        .then(|| air.table(&TURBULENCE))
+        .flatten()
+    {
+        let files = table.has(&turbulence::FILES);
+        let key = if files {
+            turbulence::FILES.name()
+        } else {
+            turbulence::FILE.name()
+        };
+        table.note(key, problem);
+    } else if let Some(table) = air.table(&EVENT) {
+        let remedy =
+            "give a larger \"width\", or the height of the hub above \"ground\" as \"hub_height\"";
+        table.note(
+            &event::KIND,
+            &TooSmall {
+                remedy,
+                ..problem.clone()
+            },
+        );
     }
 }

@@ -142,7 +142,7 @@ fn frame(table: &Table<'_>, default_up: &Vector3<f64>) -> Option<WindFrame> {
     let frame = match WindFrame::new(ground?, direction, up) {
         Ok(frame) => frame,
         Err(problem) => {
-            table.note(&DIRECTION, &problem);
+            note_direction(table, &direction, &up, &problem);
             return None;
         }
     };
@@ -160,6 +160,38 @@ fn frame(table: &Table<'_>, default_up: &Vector3<f64>) -> Option<WindFrame> {
         return None;
     }
     Some(frame)
+}
+
+/// Notes a direction or a vertical that gives no axes.
+fn note_direction(
+    table: &Table<'_>,
+    direction: &Vector3<f64>,
+    up: &Vector3<f64>,
+    problem: &WindProblem,
+) {
+    if direction.norm() == 0.0 || up.norm() == 0.0 {
+        let key = if up.norm() == 0.0 {
+            &UP.schema
+        } else {
+            &DIRECTION.schema
+        };
+        table.wrong(key.name, "a direction, a vector that is not zero");
+        return;
+    }
+    if direction.cross(up).norm() > LEVEL * direction.norm() * up.norm() {
+        table.note(&DIRECTION, problem);
+        return;
+    }
+    // Without the sign of a negative zero.
+    let shown = |of: &Vector3<f64>| format!("[{}, {}, {}]", of.x + 0.0, of.y + 0.0, of.z + 0.0);
+    let problem = AirProblem::Value {
+        key: DIRECTION.name(),
+        found: format!("{}, along the vertical {}", shown(direction), shown(up)),
+        expected: "a level direction".to_owned(),
+        help: "give the vertical of this model by \"up\", as up = [1, 0, 0], with a point of the ground \
+               by \"ground\"; a vertical wind is \"vertical\"",
+    };
+    table.note(&DIRECTION, &problem);
 }
 
 /// The mean wind without reference height and length.

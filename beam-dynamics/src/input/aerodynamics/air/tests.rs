@@ -1,6 +1,8 @@
 //! Tests of the tables of `[air]`: the wind that they give, their problems, and their checks with
 //! the rest of a model.
 
+mod conditions;
+
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
@@ -134,7 +136,12 @@ fn wrong_mean_winds() {
     assert_refused(&[
         (
             "[air.wind]\nspeed = -1\ndirection = [0, 0, 2]\n",
-            &["a.toml:3", "zero or more", "a.toml:4", "parallel to up"],
+            &[
+                "a.toml:3",
+                "zero or more",
+                "a.toml:4",
+                "along the vertical [0, 0, 1]",
+            ],
         ),
         (
             "[air.wind]\nspeed = 9\ndirection = [1, 0, 1]\n",
@@ -575,14 +582,15 @@ fn a_box_must_be_as_large_as_the_rotor() {
     assert!(system.without_value(&state, &conditions).is_some());
     let shown = reported(model(&file("own.bts"), "[transient]\nto = 9\nstep = 0.1\n"));
     assert!(
-        shown.contains("duration of the box") && shown.contains("longer box"),
+        shown.contains("a.dynamics.toml:3: turbulence box")
+            && shown.contains("the duration is 4.75 s, expected at least")
+            && shown.contains("longer box"),
         "{shown}"
     );
-    assert!(shown.contains("\"file\" of [air.turbulence]"), "{shown}");
     let low = format!("{}hub_height = 100\nperiodic = true\n", file("own.wnd"));
     let shown = reported(model(&low, run));
     assert!(
-        shown.contains("bottom of the box") && shown.contains("at most 64"),
+        shown.contains("the bottom is 76 m, expected at most 64 m"),
         "{shown}"
     );
     assert!(model(&format!("{low}outside = \"extend\"\n"), run).is_ok());

@@ -22,7 +22,7 @@ keys! {
     /// A file of TurbSim (`.bts`) or Bladed (`.wnd`), which contains the mean wind.
     pub(super) FILE: Option<String> = "file", [Text], optional, "\"seed1.bts\"";
     /// The files of u, v, w of a Mann box, which do not contain the mean wind.
-    FILES: Option<Vec<String>> = "files", [Texts], optional, "[\"u.bin\", \"v.bin\", \"w.bin\"]";
+    pub(super) FILES: Option<Vec<String>> = "files", [Texts], optional, "[\"u.bin\", \"v.bin\", \"w.bin\"]";
     /// Mann box: numbers of points downwind, lateral and up.
     POINTS: Option<[f64; 3]> = "points", [Vector(3, Dimension::NUMBER)], optional,
         "[8192, 32, 32]";
@@ -70,6 +70,9 @@ const OF_BLADED: [&str; 4] = [
     PERIODIC.name(),
     LEFT_HANDED.name(),
 ];
+
+/// Keys that scale a box.
+pub(super) const OF_SCALE: [&str; 2] = [SIGMA.name(), INTENSITIES.name()];
 
 /// Reads the table. Without a mean wind, only the keys and the files are checked.
 pub(super) fn read(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TurbulenceBox> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use rotor_aero::airfoil::files::blade::{AeroStation, StationAirfoil};
 use rotor_aero::airfoil::files::{self, ReadAirfoil};
-use rotor_aero::airfoil::{Airfoil, AirfoilData, Blend, BlendProblem, Section};
+use rotor_aero::airfoil::{Airfoil, Blend, BlendProblem, Section};
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::files::names_beside;
@@ -13,7 +13,7 @@ use shared_geom::files::names_beside;
 use super::super::stations::Station;
 use super::problem::FileProblem;
 use super::{AIRFOIL_FILE, AIRFOILS, FILE, one_set};
-use crate::input::aerodynamics::{Airfoils, StripProblem, checked_airfoil};
+use crate::input::aerodynamics::{Airfoils, StripProblem, airfoil_constants, checked_airfoil};
 
 /// An airfoil of the list.
 struct Entry {
@@ -27,7 +27,7 @@ enum Content {
     /// Of `[airfoils]`, or built in; `None` if it is wrong.
     Section(Option<Section>),
     /// A table that is not used yet.
-    Table(Box<AirfoilData>),
+    Table(Box<ReadAirfoil>),
     /// A table that is used; `None` if it is wrong.
     Airfoil(Option<Arc<Airfoil>>),
 }
@@ -122,7 +122,7 @@ impl<'a> Pool<'a> {
             name: airfoil.data.name.clone(),
             set: airfoil.set,
             thickness: airfoil.data.thickness,
-            content: Content::Table(Box::new(airfoil.data)),
+            content: Content::Table(Box::new(airfoil)),
         };
         self.entries.extend(airfoils.into_iter().map(entry));
     }
@@ -220,8 +220,10 @@ impl<'a> Pool<'a> {
     /// The section of an entry.
     fn entry(&mut self, index: usize, remarks: &mut Vec<String>) -> Option<Section> {
         let entry = self.entries.get_mut(index)?;
-        if let Content::Table(data) = &entry.content {
-            let airfoil = checked_airfoil(data, (self.table, FILE.name()), remarks);
+        if let Content::Table(read) = &entry.content {
+            let airfoil = checked_airfoil(&read.data, (self.table, FILE.name()), remarks);
+            let constants = airfoil_constants(read, remarks);
+            let airfoil = airfoil.map(|airfoil| airfoil.with_unsteady(constants));
             entry.content = Content::Airfoil(airfoil.map(Arc::new));
         }
         match &entry.content {

@@ -1,7 +1,7 @@
 //! Polars of AeroDyn 15, written with all digits.
 
+use super::super::super::constants::UnsteadyConstants;
 use super::super::super::data::AirfoilData;
-use super::super::constants::UnsteadyConstants;
 use super::super::joint::{Condition, Joint, conditions, find, is_sound};
 use super::super::notes::Notes;
 use super::super::reading::{ReadAirfoil, Writing};

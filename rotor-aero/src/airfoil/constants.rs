@@ -1,4 +1,4 @@
-//! Constants of unsteady models as AeroDyn polars give them.
+//! Constants of unsteady models of an airfoil, by the names of AeroDyn polars.
 
 /// Constants of unsteady models of one table of an AeroDyn polar, by the names and in the units
 /// of the file (angles in deg, slopes per rad).
@@ -13,7 +13,7 @@ pub struct UnsteadyConstants {
 }
 
 /// Names of the constants of AeroDyn 15, in all its versions.
-pub(super) const NAMES: [&str; 43] = [
+const NAMES: [&str; 43] = [
     "alpha0",
     "alpha1",
     "alpha2",
@@ -60,7 +60,7 @@ pub(super) const NAMES: [&str; 43] = [
 ];
 
 /// Whether `word` is the name of a constant.
-pub(super) fn is_name(word: &str) -> bool {
+pub(in crate::airfoil) fn is_name(word: &str) -> bool {
     NAMES.iter().any(|name| name.eq_ignore_ascii_case(word))
 }
 
@@ -72,20 +72,16 @@ impl UnsteadyConstants {
         found.1
     }
 
-    /// Angle of attack without lift \[rad\].
-    pub fn zero_lift_angle(&self) -> Option<f64> {
-        self.get("alpha0").map(f64::to_radians)
+    /// Sets a constant, in the unit of the files.
+    pub fn set(&mut self, name: &str, value: f64) {
+        self.values
+            .retain(|(known, _)| !known.eq_ignore_ascii_case(name));
+        self.values.push((name.to_owned(), Some(value)));
     }
 
-    /// Angles of attack at which the flow is separated to f = 0.7, above and below the angle
-    /// without lift \[rad\].
-    pub fn separation_angles(&self) -> Option<[f64; 2]> {
-        let upper = self.get("alpha1")?.to_radians();
-        Some([upper, self.get("alpha2")?.to_radians()])
-    }
-
-    /// Slope of the normal force coefficient \[1/rad\].
-    pub fn normal_slope(&self) -> Option<f64> {
-        self.get("C_nalpha")
+    /// Names of the constants that have values, in the order of the file.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let values = self.values.iter();
+        values.filter_map(|(name, value)| value.map(|_| name.as_str()))
     }
 }
