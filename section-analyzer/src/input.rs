@@ -27,6 +27,7 @@ use crate::section::{CellMaterial, DistributedLoad, ImposedStrain, Section};
 
 mod assign;
 pub mod blade;
+pub mod case_durations;
 mod cell_table;
 mod column_table;
 mod curvature;

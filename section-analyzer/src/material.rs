@@ -7,6 +7,7 @@ mod derivative;
 mod elastic;
 mod electric;
 mod electric_checks;
+mod fatigue;
 mod orientation;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -19,6 +20,7 @@ pub use derivative::{Constant, fiber_angle_rate, plane_angle_rate};
 pub use elastic::{ElasticLaw, EngineeringConstants, Material};
 pub use electric::{ElectricLaw, VACUUM_PERMITTIVITY};
 pub use electric_checks::{Coupling, ElectricProblem, MeasuredAt};
+pub use fatigue::{Fatigue, Slopes};
 pub(crate) use orientation::MATERIAL_ORDER;
 pub use orientation::{material_axes, section_stiffness, section_strain};
 pub use strength::{

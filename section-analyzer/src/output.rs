@@ -14,6 +14,7 @@ mod electric_states;
 mod end_effects;
 mod engineering;
 mod external;
+mod fatigue;
 mod fiber_plot;
 mod field_plot;
 mod figure_parts;
@@ -66,6 +67,7 @@ pub use electric_plots::{ElectricPlot, electric_plots};
 pub use end_effects::end_effects;
 pub use engineering::{EngineeringValue, engineering_values, engineering_values_of};
 pub use external::{external_properties, external_warping_csv};
+pub use fatigue::{DamageRow, FatigueRow, damage_csv, damage_text, fatigue_csv};
 pub use fiber_plot::FiberPlot;
 pub use field_plot::FieldPlot;
 pub use files::OutputFiles;
@@ -88,8 +90,11 @@ pub use restrained::constants_csv;
 pub use results::{Figures, ResultWriter};
 pub use section_picture::{MaterialPicture, PlyPicture, SectionPicture};
 pub use sensitivity::{sensitivity_json, sensitivity_table};
-pub use span::{SolvedSpan, SolvedStation, SpanFiles, layers_csv, span_csv, span_plots, span_text};
-pub use strength::{FatigueRow, ReserveRow, fatigue_csv, strength_csv, strength_text};
+pub use span::{
+    SolvedSpan, SolvedStation, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv,
+    span_plots, span_text,
+};
+pub use strength::{ReserveRow, strength_csv, strength_text};
 pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};

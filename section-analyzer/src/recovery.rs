@@ -71,6 +71,9 @@ mod electric;
 mod envelope;
 mod extrapolate;
 mod extremes;
+pub mod fatigue;
+mod force_tree;
+pub mod goodman;
 mod imposed;
 mod locate;
 pub mod rainflow;
@@ -78,6 +81,7 @@ mod recoverer;
 mod resultant;
 mod scale;
 mod state;
+mod unit;
 
 pub use criteria::{Criterion, FailureIndex, Mode, failure_indices};
 pub use envelope::{RegionReserve, region_reserves};
@@ -89,3 +93,4 @@ pub use recoverer::{Recoverer, StressBlock, recover};
 pub use state::{
     CellState, ElectricRecovery, ElectricState, LoadCase, NodalState, PointState, Recovery, Tensors,
 };
+pub use unit::UnitPoint;

@@ -12,6 +12,8 @@ pub enum FileKind {
     Section,
     /// A cross-section by matrices of another program.
     Matrices,
+    /// A layup of a blade or of one section.
+    Layup,
     /// A mesh.
     Mesh,
     /// A model of the dynamics.
@@ -22,10 +24,14 @@ pub enum FileKind {
     Rotor,
 }
 
+/// The ending of layup files.
+pub const LAYUP_ENDING: &str = ".layup.toml";
+
 /// Kinds by the ending of the file name.
-const ENDINGS: [(&str, FileKind); 6] = [
+const ENDINGS: [(&str, FileKind); 7] = [
     (".section.toml", FileKind::Section),
     (".matrices.toml", FileKind::Matrices),
+    (LAYUP_ENDING, FileKind::Layup),
     (".dynamics.toml", FileKind::Dynamics),
     (".rotor.toml", FileKind::Rotor),
     (".blade.toml", FileKind::Blade),
@@ -93,6 +99,7 @@ impl FileKind {
         match self {
             Self::Section => "a section file",
             Self::Matrices => "a matrices file",
+            Self::Layup => "a layup",
             Self::Mesh => "a mesh",
             Self::Dynamics => "a dynamics file",
             Self::Blade => "a blade file",
@@ -134,6 +141,9 @@ impl Explain for OtherKind {
         let text = match (self.found, self.expected) {
             (FileKind::Section, _) => "use \"section-analyzer analyze\"",
             (FileKind::Matrices, _) => "use \"section-analyzer matrices\"",
+            (FileKind::Layup, _) => {
+                "use \"section-analyzer blade\", or \"section-analyzer mesh layup\" for one section"
+            }
             (FileKind::Mesh, _) => {
                 "name the mesh in a section file, NAME.section.toml, for section-analyzer"
             }
@@ -210,6 +220,7 @@ mod tests {
         let kinds = [
             FileKind::Section,
             FileKind::Matrices,
+            FileKind::Layup,
             FileKind::Dynamics,
             FileKind::Blade,
             FileKind::Rotor,

@@ -4,6 +4,8 @@
 //! [`read`] gives the same mesh for all of them: cells, lines, and the groups that name
 //! them. Unknown content is treated as a file of gmsh.
 
+use std::path::{Path, PathBuf};
+
 use crate::error::Diagnostics;
 use crate::gmsh;
 use crate::mesh::Mesh;
@@ -34,6 +36,17 @@ const VTU: &str = ".vtu";
 pub fn has_ending(file: &str) -> bool {
     let file = file.to_lowercase();
     ENDINGS.iter().any(|ending| file.ends_with(ending))
+}
+
+/// The files of the BECAS model at `path`, which is its folder or its file `N2D.in`, in the order of
+/// [`BECAS_FILES`]; `None` for other files.
+pub fn becas_files(path: &Path) -> Option<[PathBuf; 4]> {
+    let folder = match path.is_dir() {
+        true => path,
+        false if path.file_name() == Some(BECAS_FILES[0].as_ref()) => path.parent()?,
+        false => return None,
+    };
+    Some(BECAS_FILES.map(|name| folder.join(name)))
 }
 
 /// Reads an input file of VABS; `file` is the name for messages.

@@ -23,6 +23,7 @@ mod piezo;
 mod piezo_recovery;
 mod prestress;
 mod quads;
+mod rainflow;
 mod random_sections;
 #[path = "../common/record.rs"]
 mod record;

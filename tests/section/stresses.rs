@@ -364,7 +364,7 @@ fn reserve_factor_is_that_of_the_load() {
             },
             interaction: [-0.5; 3],
         }),
-        strain: None,
+        ..MaterialLimits::default()
     }];
     let force = Vector6::new(2e3, 500.0, -300.0, 20.0, 60.0, -40.0);
     let worst = region_failures(

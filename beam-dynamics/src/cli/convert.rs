@@ -77,7 +77,8 @@ pub(super) struct ConvertArguments {
     /// Blade file to write
     #[arg(value_name = "TO")]
     to: PathBuf,
-    /// Format to write; if not given, by the ending of TO
+    /// Format to write; if not given, by the ending of TO. With "all" TO is a folder, in which each
+    /// format has a folder
     #[arg(long = "to", value_name = "NAME", id = "format")]
     format: Option<String>,
     /// windIO file of which TO becomes a copy, with reference axis, twist and elastic properties of the blade
@@ -86,6 +87,16 @@ pub(super) struct ConvertArguments {
     #[command(flatten)]
     reading: ReadingOptions,
 }
+
+impl ConvertArguments {
+    /// Whether all formats are written.
+    fn is_all(&self) -> bool {
+        self.format.as_deref() == Some(ALL)
+    }
+}
+
+/// The word for all formats.
+const ALL: &str = "all";
 
 /// Reads FROM and writes TO, in the named format or the format of the ending, or into a
 /// copy of a windIO file.
@@ -106,7 +117,7 @@ pub(super) fn convert(arguments: &ConvertArguments, terminal: &mut Terminal<'_>)
     let code = write_files(&files, terminal);
     if let Some((first, _)) = files
         .first()
-        .filter(|(first, _)| code == DONE && first != to)
+        .filter(|(first, _)| code == DONE && first != to && !arguments.is_all())
     {
         terminal.show(&format!(
             "\n{} is the file for modes and describe: it refers to the others\n",
@@ -133,12 +144,13 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
     let (from, to) = (arguments.from.as_path(), arguments.to.as_path());
     let format = match arguments.into {
         Some(_) => Format::WindIo2,
+        None if arguments.is_all() => Format::Helicoid,
         None => format_of(to, arguments.format.as_deref())?,
     };
     let is_toml = to
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    if format == Format::Helicoid && is_toml {
+    if format == Format::Helicoid && is_toml && !arguments.is_all() {
         let json = to.with_file_name(format!("{}.blade.json", name_of(to)));
         let (file, remedy) = (to.display().to_string(), json.display().to_string());
         return Err(ConvertProblem::Toml { file, remedy }.into());
@@ -153,6 +165,10 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
             let files = files.into_iter().map(|(_, text)| (to.to_owned(), text));
             let title = format!("a copy of {}", existing.display());
             (files.collect(), lost, title)
+        }
+        None if arguments.is_all() => {
+            let (files, lost) = all_formats(&reading, &name_of(from), to);
+            (files, lost, "all formats".to_owned())
         }
         None => {
             let writing = exchange::write(&reading.blade, format, &name_of(to));
@@ -169,8 +185,13 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
         let file = file.display().to_string();
         return Err(ConvertProblem::Input { file }.into());
     }
-    let mut text = format!("{}: {} -> {}\n", from.display(), seen.title(), title);
-    list(&mut text, "Cannot be represented", &lost);
+    let text = format!("{}: {} -> {}\n", from.display(), seen.title(), title);
+    Ok((described(text, &reading, &lost), files))
+}
+
+/// The report of a conversion after its first line.
+fn described(mut text: String, reading: &Reading, lost: &[String]) -> String {
+    list(&mut text, "Cannot be represented", lost);
     let problems = reading.blade.summarized_problems();
     let problems: Vec<_> = problems.iter().map(ToString::to_string).collect();
     if lost.is_empty() {
@@ -182,7 +203,25 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
     }
     list(&mut text, "Remarks", &reading.remarks);
     list(&mut text, "Problems of the blade", &problems);
-    Ok((text, files))
+    text
+}
+
+/// The files of each format in a folder of its own below `to`, and the data that formats cannot hold.
+fn all_formats(reading: &Reading, name: &str, to: &Path) -> (Vec<(PathBuf, String)>, Vec<String>) {
+    let (mut files, mut lost) = (Vec::new(), Vec::new());
+    for format in Format::ALL.into_iter().filter(|one| one.is_written()) {
+        match exchange::write(&reading.blade, format, name) {
+            Ok(writing) => {
+                let folder = to.join(format.name());
+                let placed = writing.files.into_iter();
+                files.extend(placed.map(|(file, text)| (folder.join(file), text)));
+                let named = |one: &String| format!("{}: {one}", format.name());
+                lost.extend(writing.lost.iter().map(named));
+            }
+            Err(problem) => lost.push(format!("{} is not written: {problem}", format.name())),
+        }
+    }
+    (files, lost)
 }
 
 /// Records the program and the source of the blade: readers of foreign files give the hash
@@ -261,16 +300,19 @@ fn is_input(file: &Path, input: &Path) -> bool {
 }
 
 fn write_files(files: &[(PathBuf, String)], terminal: &mut Terminal<'_>) -> u8 {
-    let folder = files.first().and_then(|(file, _)| file.parent());
-    if let Some(folder) = folder.filter(|folder| !folder.as_os_str().is_empty())
-        && let Err(problem) = make_folder(folder)
-    {
+    let make = |file: &Path| {
+        let folder = file
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        folder.map_or(Ok(()), make_folder)
+    };
+    if let Some(Err(problem)) = files.first().map(|(file, _)| make(file)) {
         terminal.report(&problem);
         return NOT_REACHED;
     }
     terminal.show("\nWritten\n");
     for (file, text) in files {
-        if let Err(problem) = write_text(file, text) {
+        if let Err(problem) = make(file).and_then(|()| write_text(file, text)) {
             terminal.report(&problem);
             return NOT_REACHED;
         }

@@ -1,5 +1,6 @@
 //! `describe` and `convert`.
 
+use shared_geom::exchange::Format;
 use shared_geom::section;
 
 use crate::{Folder, strip};
@@ -111,6 +112,30 @@ fn a_section_is_described_and_made_a_blade_with_a_length() {
     let run = folder.run(&["convert", "strip.properties.json", "a.csv", "--length=-3"]);
     assert_eq!(run.code, 2);
     assert!(run.err.contains("expected a number of meters above zero"));
+}
+
+/// Each format has a folder, and its blade equals a single conversion.
+#[test]
+fn all_formats_are_written_at_once() {
+    let folder = folder();
+    let run = folder.run(&["convert", "strip.csv", "out", "--to", "all"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    for format in Format::ALL.into_iter().filter(|one| one.is_written()) {
+        let texts = ["out/{}/", "{} is not written"].map(|text| text.replace("{}", format.name()));
+        assert!(
+            texts.iter().any(|text| run.out.contains(text)),
+            "{}",
+            run.out
+        );
+    }
+    let run = folder.run(&["convert", "strip.csv", "one/strip.blade.json"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    let compared = folder.run(&[
+        "compare",
+        "one/strip.blade.json",
+        "out/helicoid/strip.blade.json",
+    ]);
+    assert_eq!(compared.code, 0, "{}", compared.out);
 }
 
 // csv -> BeamDyn -> DYMORE -> VABS -> JSON -> csv: the stations return letter by letter,

@@ -4,9 +4,11 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
+use shared_geom::exchange;
+use shared_geom::file_kind::LAYUP_ENDING;
 use shared_geom::files::{OutputProblem, make_folder, name_without, write_whole};
 use shared_geom::gmsh;
-use shared_geom::line::Side;
+use shared_geom::line::{ReferenceLine, Side};
 use shared_geom::section::SectionProperties;
 
 use super::analyze::{Analyzed, Job, Outcome, Run, Status, analyze_one, solve_all};
@@ -21,13 +23,11 @@ use crate::output::{
 };
 use crate::recovery::Recoverer;
 
+mod check;
 mod report;
 mod results;
 
 use report::Request;
-
-/// The ending of layup files.
-const ENDING: &str = ".layup.toml";
 
 /// A layup without a line.
 #[derive(Debug, thiserror::Error)]
@@ -78,6 +78,22 @@ pub(super) fn solve_blade(
         let location = SourceLocation::file(file.display().to_string());
         return Err(terminal.report_all(&Diagnostics::one(location, &NoLine)));
     };
+    if arguments.check {
+        check::sections(&layup, arguments, terminal)
+    } else {
+        solve_sections((&layup, line), arguments, terminal)
+    }
+}
+
+/// Solves the sections of a layup along a line, and writes the results.
+fn solve_sections(
+    (layup, line): (&Layup, &ReferenceLine),
+    arguments: &WholeBladeArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let file = &arguments.file;
+    let other = arguments.compare.as_deref().map(exchange::read).transpose();
+    let other = other.map_err(|problems| terminal.report_all(&problems))?;
     let modes = arguments.modes.as_deref().map(read_modes).transpose();
     let modes = modes.map_err(|problems| terminal.report_all(&problems))?;
     let name = name_of(file);
@@ -85,7 +101,7 @@ pub(super) fn solve_blade(
     let folder = arguments.out.clone().unwrap_or_else(beside);
     let files = SpanFiles::new(&folder, &name);
     make_folder(&files.sections()).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
-    let plan = Plan::new(&layup, &files, arguments);
+    let plan = Plan::new(layup, &files, arguments);
     let solve = |number: usize, job: &Job| plan.solve(number, job);
     let ended = solve_all(&plan.jobs, arguments.threads, &solve, terminal)?;
     let missing = plan.missing();
@@ -103,11 +119,15 @@ pub(super) fn solve_blade(
         modes,
         missing: missing.clone(),
     };
-    let page = arguments
-        .report
-        .then(|| request.page(&layup, &span, &files));
+    let page = arguments.report.then(|| request.page(layup, &span, &files));
     let page = page.flatten();
-    let written = results::write((&span, page), &files, is_written, arguments, terminal);
+    let results = results::Results {
+        span: &span,
+        page,
+        is_written,
+        other: other.map(|reading| reading.blade),
+    };
+    let written = results::write(&results, &files, arguments, terminal);
     if !missing.is_empty() {
         let missing = Missing {
             missing,
@@ -128,7 +148,7 @@ pub(super) fn solve_blade(
 /// The name of a blade: of its file, without its ending.
 fn name_of(file: &Path) -> String {
     match file.extension() == Some("toml".as_ref()) {
-        true => name_without(file, ENDING),
+        true => name_without(file, LAYUP_ENDING),
         // turbine files of windIO
         false => file
             .file_stem()
@@ -136,6 +156,28 @@ fn name_of(file: &Path) -> String {
             .to_string_lossy()
             .into_owned(),
     }
+}
+
+/// The stations of a run.
+fn stations_of(layup: &Layup, arguments: &WholeBladeArguments) -> Vec<SpanStation> {
+    let selection = match (arguments.count, &arguments.stations[..]) {
+        (Some(count), _) => Selection::Equal(count),
+        (None, []) => Selection::Chosen,
+        (None, given) => Selection::Given(given.to_vec()),
+    };
+    layup.span_stations(&selection)
+}
+
+/// The sections of stations, with their files in `folder`.
+fn jobs_of(stations: &[SpanStation], folder: &Path) -> Vec<Job> {
+    let names = SpanStation::names(stations);
+    let job = |(name, station): (String, &SpanStation)| Job {
+        file: folder.join(format!("{name}.section.toml")),
+        folder: folder.to_owned(),
+        label: label(station),
+        name,
+    };
+    names.into_iter().zip(stations).map(job).collect()
 }
 
 /// The sections to solve, and the solved ones.
@@ -152,23 +194,10 @@ struct Plan<'a> {
 
 impl<'a> Plan<'a> {
     fn new(layup: &'a Layup, files: &SpanFiles, arguments: &WholeBladeArguments) -> Self {
-        let selection = match (arguments.count, &arguments.stations[..]) {
-            (Some(count), _) => Selection::Equal(count),
-            (None, []) => Selection::Chosen,
-            (None, given) => Selection::Given(given.to_vec()),
-        };
-        let stations = layup.span_stations(&selection);
-        let folder = files.sections();
-        let names = SpanStation::names(&stations);
-        let jobs = names.iter().zip(&stations).map(|(name, station)| Job {
-            file: folder.join(format!("{name}.section.toml")),
-            folder: folder.clone(),
-            name: name.clone(),
-            label: label(station),
-        });
+        let stations = stations_of(layup, arguments);
         Self {
             layup,
-            jobs: jobs.collect(),
+            jobs: jobs_of(&stations, &files.sections()),
             run: Run::plain(arguments.force),
             are_drawn: arguments.report,
             solved: stations.iter().map(|_| OnceLock::new()).collect(),

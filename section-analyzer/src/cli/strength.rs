@@ -1,13 +1,11 @@
-//! `section-analyzer strength`: reserve factors of the plies of a blade, and fatigue loads.
+//! `section-analyzer strength`: reserve factors and damage of the plies of a blade, fatigue loads.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::OnceLock;
 
 use nalgebra::Vector6;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::files::{make_folder, write_whole};
-use shared_geom::wrench::COMPONENTS;
 
 use super::analyze::{Job, Outcome, Status, solve_all};
 use super::arguments::StrengthArguments;
@@ -17,9 +15,16 @@ use crate::input;
 use crate::input::span_loads::{
     ListedStation, LoadInstant, LoadPositions, read_loads, read_stations,
 };
-use crate::output::{FatigueRow, ReserveRow, fatigue_csv, strength_csv, strength_text};
-use crate::recovery::rainflow::{cycles, equivalent_range};
-use crate::recovery::{Recoverer, region_reserves};
+use crate::output::{
+    DamageRow, FatigueRow, ReserveRow, damage_csv, damage_text, fatigue_csv, strength_csv,
+    strength_text,
+};
+use crate::recovery::fatigue::{RegionDamage, region_damages};
+use crate::recovery::{Recoverer, RegionReserve, region_reserves};
+
+mod histories;
+
+use histories::Histories;
 
 /// The ending of tables of stations.
 const ENDING: &str = ".span.csv";
@@ -49,7 +54,13 @@ impl Explain for NoStrength {
     }
 }
 
-/// Finds and writes reserve factors and fatigue loads.
+/// The rows of a station.
+struct Rows {
+    reserves: Vec<ReserveRow>,
+    damages: Vec<DamageRow>,
+}
+
+/// Finds and writes reserve factors, damage and fatigue loads.
 pub(super) fn envelope(
     arguments: &StrengthArguments,
     terminal: &mut Terminal<'_>,
@@ -70,11 +81,13 @@ pub(super) fn envelope(
     };
     let loads = read_loads(&arguments.loads, &positions);
     let loads = loads.map_err(|problems| terminal.report_all(&problems))?;
+    let histories = Histories::new(&loads, arguments.durations.as_deref());
+    let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
     let jobs = jobs_of(&stations, span.parent().unwrap_or(Path::new("")));
-    let found: Vec<OnceLock<Vec<ReserveRow>>> = jobs.iter().map(|_| OnceLock::new()).collect();
-    let work = |number: usize, job: &Job| match reserves(&stations[number], job, &loads) {
+    let found: Vec<OnceLock<Rows>> = jobs.iter().map(|_| OnceLock::new()).collect();
+    let work = |number: usize, job: &Job| match rows(&stations[number], job, (&loads, &histories)) {
         Ok((outcome, rows)) => {
-            // each station has one row
+            // each station has its rows once
             let _ = found[number].set(rows);
             outcome
         }
@@ -84,28 +97,36 @@ pub(super) fn envelope(
         },
     };
     let ended = solve_all(&jobs, arguments.threads, &work, terminal)?;
-    let is_solved = found.iter().any(|rows| rows.get().is_some());
-    let rows: Vec<ReserveRow> = found
+    let rows: Vec<Rows> = found.into_iter().filter_map(OnceLock::into_inner).collect();
+    let is_solved = !rows.is_empty();
+    let (reserves, damages): (Vec<_>, Vec<_>) = rows
         .into_iter()
-        .filter_map(OnceLock::into_inner)
-        .flatten()
-        .collect();
-    write(
-        arguments,
-        (&rows, &fatigue(&stations, &loads, arguments)),
-        terminal,
-    )?;
-    if rows.is_empty() && is_solved {
-        let is_loaded =
-            |station: &ListedStation| loads.iter().any(|load| load.at(station.eta).is_some());
-        let problem = if stations.iter().any(is_loaded) {
-            NoStrength::Limits
-        } else {
-            NoStrength::Positions
-        };
-        return Err(terminal.report_all(&wrong(problem)));
+        .map(|rows| (rows.reserves, rows.damages))
+        .unzip();
+    let (reserves, damages) = (reserves.concat(), damages.concat());
+    let equivalent = histories.equivalent_ranges(&stations, &arguments.exponents, arguments.cycles);
+    let tables = Tables {
+        reserves: &reserves,
+        equivalent: &equivalent,
+        damages: &damages,
+        duration: histories.duration(),
+    };
+    tables.write(arguments, terminal)?;
+    if reserves.is_empty() && damages.is_empty() && is_solved {
+        return Err(terminal.report_all(&wrong(nothing(&stations, &loads))));
     }
     ended.result()
+}
+
+/// The reason for which solved sections have no reserve factors.
+fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
+    let is_loaded =
+        |station: &ListedStation| loads.iter().any(|load| load.at(station.eta).is_some());
+    if stations.iter().any(is_loaded) {
+        NoStrength::Limits
+    } else {
+        NoStrength::Positions
+    }
 }
 
 /// The section files of stations, below `folder`.
@@ -115,18 +136,18 @@ fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
         file: folder.join(format!("{}.section.toml", station.section)),
         folder: folder.clone(),
         name: station.section.clone(),
-        label: format!("eta {}", crate::mesh::short(station.eta)),
+        label: format!("eta {}", station.label()),
     };
     stations.iter().map(job).collect()
 }
 
-/// The reserve factors of the plies of a section, which is solved only if its results are not
-/// there; its outcome is unchanged if they are.
-fn reserves(
+/// The reserve factors and damages of the plies of a section, which is solved only if its results
+/// are not there; its outcome is unchanged if they are.
+fn rows(
     station: &ListedStation,
     job: &Job,
-    loads: &[LoadInstant],
-) -> Result<(Outcome, Vec<ReserveRow>), String> {
+    (loads, histories): (&[LoadInstant], &Histories<'_>),
+) -> Result<(Outcome, Rows), String> {
     let input = input::read(&job.file).map_err(|problems| problems.to_string())?;
     let failed = |failure: crate::failure::Failure| {
         let location = SourceLocation::file(job.file.display().to_string());
@@ -139,17 +160,34 @@ fn reserves(
     let restored = Restored::new(&input, job).map_err(failed)?;
     let section = &input.section;
     let recoverer = Recoverer::new(section, &restored.solution);
-    let found = region_reserves(section, &input.limits, &recoverer, &forces).map_err(failed)?;
-    let row = |found: crate::recovery::RegionReserve| ReserveRow {
-        eta: station.eta,
-        section: station.section.clone(),
+    let points = recoverer.unit_points().map_err(failed)?;
+    let reserves = region_reserves(section, &input.limits, &points, &forces);
+    let row = |found: RegionReserve| ReserveRow {
+        station: station.clone(),
         ply: section.mesh.groups[found.group].clone(),
         material: section.materials[found.material].name.clone(),
-        worst: found.worst,
         instant: names[found.force].to_owned(),
-        position: found.position,
         force: forces[found.force],
+        found,
     };
+    let reserves = reserves.into_iter().map(row).collect();
+    let histories = if forces.is_empty() {
+        Vec::new()
+    } else {
+        histories.at(station)
+    };
+    let damages = if histories.is_empty() {
+        Vec::new()
+    } else {
+        region_damages(section, &input.limits, &points, &histories)
+    };
+    let row = |found: RegionDamage| DamageRow {
+        station: station.clone(),
+        ply: section.mesh.groups[found.group].clone(),
+        material: section.materials[found.material].name.clone(),
+        found,
+    };
+    let damages = damages.into_iter().map(row).collect();
     let status = if restored.is_known {
         Status::Unchanged
     } else {
@@ -159,104 +197,70 @@ fn reserves(
         nodes: Some(section.mesh.nodes.len()),
         ..Outcome::new(status)
     };
-    Ok((outcome, found.into_iter().map(row).collect()))
+    Ok((outcome, Rows { reserves, damages }))
 }
 
-/// The instants of each case with times, in their order.
-fn histories(loads: &[LoadInstant]) -> Vec<Vec<(f64, &LoadInstant)>> {
-    let mut cases: BTreeMap<Option<&str>, Vec<(f64, &LoadInstant)>> = BTreeMap::new();
-    for load in loads {
-        if let Some(time) = load.time {
-            cases
-                .entry(load.case.as_deref())
-                .or_default()
-                .push((time, load));
-        }
-    }
-    let mut histories: Vec<_> = cases.into_values().collect();
-    for history in &mut histories {
-        history.sort_by(|a, b| a.0.total_cmp(&b.0));
-    }
-    histories
+/// The tables of a run.
+struct Tables<'a> {
+    reserves: &'a [ReserveRow],
+    equivalent: &'a [FatigueRow],
+    damages: &'a [DamageRow],
+    /// Time of all histories \[s\].
+    duration: f64,
 }
 
-/// Damage-equivalent ranges of each component at each station, by the cycles of all cases together; none
-/// without times.
-fn fatigue(
-    stations: &[ListedStation],
-    loads: &[LoadInstant],
-    arguments: &StrengthArguments,
-) -> Vec<FatigueRow> {
-    let histories = histories(loads);
-    if histories.is_empty() {
-        return Vec::new();
-    }
-    let length = |history: &Vec<(f64, &LoadInstant)>| match (&history[..], history.last()) {
-        ([first, ..], Some(last)) => last.0 - first.0,
-        _ => 0.0,
-    };
-    let equal = arguments
-        .cycles
-        .unwrap_or_else(|| histories.iter().map(length).sum());
-    let mut rows = Vec::new();
-    for station in stations {
-        for (i, component) in COMPONENTS.iter().enumerate() {
-            let of_history = |history: &Vec<(f64, &LoadInstant)>| {
-                cycles(
-                    history
-                        .iter()
-                        .filter_map(|(_, load)| Some(load.at(station.eta)?[i])),
-                )
-            };
-            let counted: Vec<_> = histories.iter().flat_map(of_history).collect();
-            let largest = counted
-                .iter()
-                .fold(0.0, |most: f64, one| most.max(one.range));
-            let unit = if i < 3 { "N" } else { "N m" };
-            rows.extend(arguments.exponents.iter().map(|&exponent| FatigueRow {
-                eta: station.eta,
-                section: station.section.clone(),
-                component: format!("{component} [{unit}]"),
-                // a sum of nothing is -0
-                cycles: counted.iter().fold(0.0, |sum, one| sum + one.count),
-                largest,
-                exponent,
-                equivalent: equivalent_range(&counted, exponent, equal),
-            }));
+impl Tables<'_> {
+    fn write(
+        &self,
+        arguments: &StrengthArguments,
+        terminal: &mut Terminal<'_>,
+    ) -> Result<(), Stop> {
+        let span = &arguments.span;
+        let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
+        let folder = arguments.out.clone().unwrap_or_else(beside);
+        if !folder.as_os_str().is_empty() {
+            make_folder(&folder).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
         }
-    }
-    rows
-}
-
-fn write(
-    arguments: &StrengthArguments,
-    (reserves, fatigue): (&[ReserveRow], &[FatigueRow]),
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let span = &arguments.span;
-    let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
-    let folder = arguments.out.clone().unwrap_or_else(beside);
-    if !folder.as_os_str().is_empty() {
-        make_folder(&folder).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
-    }
-    let whole = span.file_name().unwrap_or_default().to_string_lossy();
-    let name = whole.strip_suffix(ENDING).unwrap_or(&whole);
-    if !reserves.is_empty() {
-        write!(terminal.out, "\n{}", strength_text(reserves))?;
-    }
-    let mut written = Vec::new();
-    for (ending, text, is_there) in [
-        ("strength.csv", strength_csv(reserves), !reserves.is_empty()),
-        ("fatigue.csv", fatigue_csv(fatigue), !fatigue.is_empty()),
-    ] {
-        let file = folder.join(format!("{name}.{ending}"));
-        if is_there {
-            write_whole(&file, &text).map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
-            written.push(file);
-        } else {
-            // of an earlier run; a missing file is ignored
-            let _ = std::fs::remove_file(file);
+        let whole = span.file_name().unwrap_or_default().to_string_lossy();
+        let name = whole.strip_suffix(ENDING).unwrap_or(&whole);
+        if !self.reserves.is_empty() {
+            write!(terminal.out, "\n{}", strength_text(self.reserves))?;
         }
+        if !self.damages.is_empty() {
+            write!(
+                terminal.out,
+                "\n{}",
+                damage_text(self.damages, self.duration)
+            )?;
+        }
+        let mut written = Vec::new();
+        for (ending, rows, text) in [
+            (
+                "strength.csv",
+                self.reserves.len(),
+                strength_csv(self.reserves),
+            ),
+            (
+                "fatigue.csv",
+                self.equivalent.len(),
+                fatigue_csv(self.equivalent),
+            ),
+            (
+                "damage.csv",
+                self.damages.len(),
+                damage_csv(self.damages, self.duration),
+            ),
+        ] {
+            let file = folder.join(format!("{name}.{ending}"));
+            if rows > 0 {
+                write_whole(&file, &text)
+                    .map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
+                written.push(file);
+            } else {
+                // of an earlier run; a missing file is ignored
+                let _ = std::fs::remove_file(file);
+            }
+        }
+        list("Written", &written, terminal)
     }
-    list("Written", &written, terminal)
 }

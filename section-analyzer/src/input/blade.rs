@@ -8,6 +8,7 @@ use std::path::Path;
 
 use shared_geom::document::{Document, Key, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::file_kind::FileKind;
 use shared_geom::mesh::{CellKind, Mesh};
 use shared_geom::units::Dimension;
 
@@ -31,8 +32,6 @@ use keys::{
 };
 use plies::{Use, Uses};
 
-/// The ending of layup files, which another command meshes.
-const LAYUP_ENDING: &str = ".layup.toml";
 /// Kinds of cells, in the order of their words.
 const CELLS: [CellKind; 3] = [
     CellKind::Quadrilateral9,
@@ -70,7 +69,7 @@ pub struct BladeRegion {
 /// All problems of the file, of its airfoil file, and of their combination.
 pub fn read(path: &Path) -> Result<BladeInput, Diagnostics> {
     let text = read_text(path)?;
-    if path.to_string_lossy().ends_with(LAYUP_ENDING) {
+    if FileKind::of(path, &text) == Some(FileKind::Layup) {
         let location = SourceLocation::file(path.display().to_string());
         return Err(Diagnostics::one(location, &BladeFileProblem::Layup));
     }

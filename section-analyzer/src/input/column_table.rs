@@ -73,7 +73,8 @@ impl Explain for ColumnProblem {
 /// A row, with a cell for each column.
 #[derive(Debug)]
 pub(super) struct Row {
-    line: usize,
+    /// Its line.
+    pub line: usize,
     /// Its cells.
     pub cells: Vec<String>,
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use shared_geom::blade::read_line;
-use shared_geom::document::{Document, Table, read_text};
+use shared_geom::document::{Document, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::line::ReferenceLine;
 use shared_geom::mesh::Mesh;
@@ -15,12 +15,14 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 mod constants;
 mod course;
 mod keys;
+mod layers;
 mod place;
 mod prevabs;
 mod problem;
 mod resolve;
 mod shape;
 mod span;
+mod taper;
 mod windio;
 
 pub use course::Course;
@@ -28,13 +30,12 @@ pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
 pub use span::{Selection, SpanStation};
+pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;
 
-use keys::{
-    FIBER_ANGLE, FROM, LAYERS, LINE, MATERIAL, MESH, NAME, PLIES, PRESSURE, RANGE, SHAPE, SIZE,
-    SUCTION, TAPER, THICKNESS, TO, TOWARD, WEB_NAME, WEBS,
-};
+use keys::{LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use layers::Known;
 use resolve::Resolver;
 
 /// A layup along the span, in SI units.
@@ -42,6 +43,8 @@ use resolve::Resolver;
 pub struct Layup {
     /// The contours.
     pub shape: Shape,
+    /// Places on the contour by their names.
+    pub places: Vec<(String, Place)>,
     /// The layers of the shell, from the outside in.
     pub layers: Vec<WrittenLayer>,
     /// The webs.
@@ -81,8 +84,8 @@ pub struct WrittenLayer {
     pub from: Place,
     /// Where it ends.
     pub to: Place,
-    /// Length of the drop of its thickness at its ends \[m\].
-    pub taper: Option<f64>,
+    /// The drop of its thickness at its ends.
+    pub taper: Option<Taper>,
     /// Its line in the file.
     pub line: usize,
 }
@@ -168,17 +171,16 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let root = document.root_of(&LAYUP_FILE);
     document.declare_units(&root);
     let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
-    let known: Vec<String> = materials::read(&root)
-        .into_iter()
-        .map(|material| material.name)
-        .collect();
+    let known = Known::new(materials::read(&root));
     let mut shape_line = 1;
     let shape = root.nested(&SHAPE, |table| {
         shape_line = table.line();
         Shape::read(&document, table)
     });
-    let layers = root.each(&LAYERS, |table| layer(table, &known, true));
-    let webs = root.each(&WEBS, |table| web(table, &known));
+    let layers = root.each(&LAYERS, |table| known.layers(table));
+    let layers: Option<Vec<WrittenLayer>> = layers.map(|layers| layers.concat());
+    let webs = root.each(&WEBS, |table| known.web(table));
+    let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     let line = root.nested(&LINE, read_line);
     let stations = span::stations(&root);
@@ -188,10 +190,13 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
             document.note(line, &problem);
         }
     }
-    let layup = match (shape, layers, webs, size.zip(line).zip(stations)) {
-        (Some(Some(shape)), Some(layers), Some(webs), Some(((size, line), stations))) => {
+    let rest = (places, size.zip(line).zip(stations));
+    let mut layup = match (shape, layers, webs, rest) {
+        (Some(Some(shape)), Some(layers), Some(webs), (Some(places), Some(rest))) => {
+            let ((size, line), stations) = rest;
             Some(Layup {
                 shape,
+                places,
                 layers,
                 webs,
                 size: size.flatten(),
@@ -206,78 +211,10 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         }
         _ => None,
     };
-    document.finish(layup)
-}
-
-/// Reads a layer; plies of webs have no places.
-fn layer(table: &Table<'_>, known: &[String], of_shell: bool) -> Option<WrittenLayer> {
-    let name = table.get(&NAME);
-    let material = table.get(&MATERIAL);
-    let (thickness, angle) = (table.get(&THICKNESS), table.get(&FIBER_ANGLE));
-    let (from, to, taper, toward) = if of_shell {
-        (
-            table.get(&FROM),
-            table.get(&TO),
-            table.get(&TAPER),
-            table.get(&TOWARD),
-        )
-    } else {
-        (
-            Some(Place::arc(0.0)),
-            Some(Place::arc(1.0)),
-            Some(None),
-            Some(0),
-        )
-    };
-    if let Some(material) = material
-        .as_ref()
-        .filter(|material| !known.contains(material))
-    {
-        let problem = LayupFileProblem::Unknown {
-            kind: "material",
-            found: material.clone(),
-            known: known.to_vec(),
-        };
-        table.note(&MATERIAL, &problem);
+    if let Some(Err(problem)) = layup.as_mut().map(Layup::divide_lengths) {
+        document.note(shape_line, &problem);
     }
-    Some(WrittenLayer {
-        name: name?.0,
-        material: material?,
-        thickness: thickness?,
-        fiber_angle: angle?.0,
-        toward: [Toward::LeadingEdge, Toward::Contour][toward?],
-        from: from?,
-        to: to?,
-        taper: taper?,
-        line: table.line(),
-    })
-}
-
-fn web(table: &Table<'_>, known: &[String]) -> Option<WrittenWeb> {
-    let name = table.get(&WEB_NAME);
-    let places = [table.get(&SUCTION), table.get(&PRESSURE)];
-    let plies = table.each(&PLIES, |ply| layer(ply, known, false));
-    let range = if table.has(&RANGE) {
-        table.quantities(RANGE.name(), Dimension::NUMBER)
-    } else {
-        Some(vec![0.0, 1.0])
-    };
-    let name = name?.0;
-    let range = match range?[..] {
-        [from, to] if from >= 0.0 && from < to && to <= 1.0 => [from, to],
-        _ => {
-            table.note(&RANGE, &LayupFileProblem::Range { web: name });
-            return None;
-        }
-    };
-    let [suction, pressure] = places;
-    Some(WrittenWeb {
-        name,
-        places: [suction?, pressure?],
-        range,
-        plies: plies?,
-        line: table.line(),
-    })
+    document.finish(layup)
 }
 
 /// Names that are given twice, with their lines.
@@ -369,6 +306,7 @@ impl Layup {
             all.extend(layer.from.positions());
             all.extend(layer.to.positions());
         }
+        all.extend(self.places.iter().flat_map(|place| place.1.positions()));
         if all.is_empty() {
             all.push(0.0);
         }
@@ -384,6 +322,33 @@ impl Layup {
             .iter()
             .chain(plies)
             .find(|layer| layer.name == name)
+    }
+
+    /// Makes positions along the span that are lengths parts of the length of the line.
+    fn divide_lengths(&mut self) -> Result<(), LayupFileProblem> {
+        let length = self.line.as_ref().map(ReferenceLine::length);
+        let mut courses = self.shape.courses_mut();
+        let mut plies: Vec<&mut WrittenLayer> = self.layers.iter_mut().collect();
+        let mut places: Vec<&mut Place> =
+            self.places.iter_mut().map(|place| &mut place.1).collect();
+        for web in &mut self.webs {
+            plies.extend(&mut web.plies);
+            places.extend(&mut web.places);
+        }
+        for layer in plies {
+            courses.push(&mut layer.thickness);
+            places.extend([&mut layer.from, &mut layer.to]);
+        }
+        courses.extend(places.into_iter().flat_map(Place::courses_mut));
+        for course in courses.into_iter().filter(|course| course.is_in_lengths()) {
+            let length = length.ok_or(LayupFileProblem::NoLine)?;
+            let found = course.positions().last().copied().unwrap_or_default();
+            if found > length * (1.0 + 1e-9) {
+                return Err(LayupFileProblem::Beyond { found, length });
+            }
+            course.divide_lengths(length);
+        }
+        Ok(())
     }
 
     fn line_of(&self, problem: &LayupProblem) -> usize {

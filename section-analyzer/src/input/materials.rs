@@ -1,7 +1,9 @@
 //! Materials as written: the keys determine the law.
 
 use nalgebra::Matrix6;
-use shared_geom::document::schema::ValueKind::{NamedTables, Quantity, Rows, Vector, Word};
+use shared_geom::document::schema::ValueKind::{
+    NamedTables, Positive, Quantity, Rows, Vector, Word,
+};
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
 use shared_geom::document::{Declared, NestedByName, Table, Value};
 use shared_geom::keys;
@@ -28,6 +30,9 @@ keys! {
         [Quantity(Dimension::EXPANSION), Vector(3, Dimension::EXPANSION)]
         as "an expansion coefficient, or an array of 3, one for each material axis", optional,
         "[1e-7, 2.8e-5, 2.8e-5]";
+    /// Thickness of a ply, for layers of layup files that are given by `count` or `plies`.
+    PLY_THICKNESS: Option<f64> = "ply_thickness", [Positive(Dimension::LENGTH)], optional,
+        "\"0.25 mm\"";
     /// Young's modulus.
     YOUNG: f64 = "young", [Quantity(Dimension::STRESS)], required, "\"73.1 GPa\"";
     /// Poisson's ratio, between -1 and 0.5.
@@ -72,7 +77,7 @@ keys! {
 const MATERIAL: TableSchema = TableSchema {
     title: "[material.NAME]",
     meaning: "A material: its elastic law, which follows from the keys, and its density.",
-    keys: &[],
+    keys: &[PLY_THICKNESS.schema],
     families: &[
         Family {
             name: "isotropic",
@@ -174,6 +179,8 @@ pub(super) struct WrittenMaterial {
     pub material: Option<Material>,
     pub limits: MaterialLimits,
     pub electric: Option<WrittenElectric>,
+    /// Thickness of a ply \[m\].
+    pub ply_thickness: Option<f64>,
 }
 
 /// Reads `[material.NAME]` for every name, and checks that each can exist.
@@ -190,6 +197,7 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
                 electric::check_absent(&name, &table);
             }
             let material = read_one(&name, &table, law, electric.as_ref());
+            let ply_thickness = table.get(&PLY_THICKNESS).flatten();
             table.finish();
             WrittenMaterial {
                 name,
@@ -197,6 +205,7 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
                 material,
                 limits,
                 electric,
+                ply_thickness,
             }
         })
         .collect()

@@ -1,5 +1,7 @@
 //! The mesh of a section with its regions and laminates.
 
+use std::path::PathBuf;
+
 use shared_geom::document::Document;
 use shared_geom::error::SourceLocation;
 use shared_geom::mesh::Mesh;
@@ -64,6 +66,28 @@ impl WrittenSection {
 /// The mesh file named under `key`.
 fn read_mesh(document: &Document, files: &mut Files<'_>, key: &Written) -> Option<Mesh> {
     let path = files.path(key);
+    let becas = mesh_file::becas_files(&path);
+    if let Some(paths) = becas.filter(|paths| paths.iter().any(|path| path.exists())) {
+        return read_becas(document, files, (key, paths));
+    }
     let bytes = files.read("mesh", &path, key)?;
     document.keep(mesh_file::read(bytes, &path.display().to_string()))
+}
+
+/// The mesh of a model of BECAS, with a physical surface for each of its materials and fiber angles.
+fn read_becas(
+    document: &Document,
+    files: &mut Files<'_>,
+    (key, paths): (&Written, [PathBuf; 4]),
+) -> Option<Mesh> {
+    // all files are read before the first missing one ends the reading
+    let texts = paths
+        .each_ref()
+        .map(|path| files.read_text("mesh", path, key));
+    let names = paths.map(|path| path.display().to_string());
+    let [nodes, elements, layups, materials] = texts;
+    let texts = [nodes?, elements?, layups?, materials?];
+    let pair = |number: usize| (names[number].as_str(), texts[number].as_str());
+    let model = mesh_file::read_becas([0, 1, 2, 3].map(pair));
+    document.keep(model).map(|model| model.mesh)
 }

@@ -4,20 +4,19 @@ use std::path::Path;
 
 use shared_geom::document::read_text;
 use shared_geom::error::Diagnostics;
-use shared_geom::mesh_file::{BECAS_FILES, Model, read_becas, read_vabs};
+use shared_geom::mesh_file::{Model, becas_files, read_becas, read_vabs};
 
 /// Reads the section model at `path`: a folder of BECAS, or an input file of VABS.
 ///
 /// # Errors
 /// All problems of its files, each with its line.
 pub fn read(path: &Path) -> Result<Model, Diagnostics> {
-    if !path.is_dir() {
+    let Some(files) = becas_files(path) else {
         let text = read_text(path)?;
         return read_vabs(text.as_bytes(), &path.display().to_string());
-    }
+    };
     let mut problems = Diagnostics::new();
-    let files = BECAS_FILES.map(|name| {
-        let file = path.join(name);
+    let files = files.map(|file| {
         let text = problems.keep(read_text(&file)).unwrap_or_default();
         (file.display().to_string(), text)
     });

@@ -32,7 +32,7 @@ pub struct ListedReserve {
 }
 
 /// The columns of the table of reserve factors `NAME.strength.csv`.
-pub const RESERVES: [&str; 17] = [
+pub const RESERVES: [&str; 23] = [
     "eta [-]",
     "section",
     "ply",
@@ -50,6 +50,12 @@ pub const RESERVES: [&str; 17] = [
     "torsion [N m]",
     "bending_y [N m]",
     "bending_z [N m]",
+    "stress_11 [Pa]",
+    "stress_22 [Pa]",
+    "stress_33 [Pa]",
+    "stress_23 [Pa]",
+    "stress_13 [Pa]",
+    "stress_12 [Pa]",
 ];
 
 /// The modes of a blade, as `beam-dynamics modes` lists them.
@@ -77,7 +83,9 @@ pub struct ModeTable {
 pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
     const REMEDY: &str = "name the table NAME.strength.csv of \"section-analyzer strength\"";
     let table = ColumnTable::read(path, REMEDY)?;
-    let columns = table.require(RESERVES)?;
+    // the stresses in the last columns are for the user
+    let needed: [&str; 17] = std::array::from_fn(|i| RESERVES[i]);
+    let columns = table.require(needed)?;
     let [
         _,
         section,

@@ -3,6 +3,7 @@
 //! A table of forces comes in two forms: a row for each position and instant, in any order (columns `arc`
 //! or `eta`, and all of `case`, `time`, `step` that distinguish the instants), as `beam-dynamics static` writes it; or a row for each time, with columns `NAME_axial`
 //! and so on for positions that the command line gives, as `beam-dynamics transient` writes it.
+//! Envelopes, `axial_max`, `axial_min` and so on, have the first form.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -12,6 +13,8 @@ use shared_geom::error::{Diagnostics, Explain, nearest_name, quoted};
 use shared_geom::units::{Dimension, parse_as};
 
 use super::column_table::{ColumnTable, Row, plain};
+
+mod envelope;
 
 /// The six components as columns name them, and their dimensions.
 const COMPONENTS: [(&str, Dimension); 6] = [
@@ -112,6 +115,19 @@ pub struct ListedStation {
     pub arc_length: f64,
 }
 
+impl ListedStation {
+    /// The position for reports, with its side of a jump.
+    pub fn label(&self) -> String {
+        let sides = [("_inner", " inner"), ("_outer", " outer")];
+        let side = sides.iter().find(|side| self.section.ends_with(side.0));
+        format!(
+            "{}{}",
+            crate::mesh::short(self.eta),
+            side.map_or("", |side| side.1)
+        )
+    }
+}
+
 /// Reads the table of stations that `blade` wrote.
 ///
 /// # Errors
@@ -149,10 +165,10 @@ pub fn read_loads(path: &Path, positions: &LoadPositions) -> Result<Vec<LoadInst
     const REMEDY: &str = "positions of tables over time are given by --at NAME=ETA, for columns \
                           NAME_axial, NAME_shear_y and so on";
     let table = LoadTable(ColumnTable::read(path, REMEDY)?);
-    let mut instants = if positions.named.is_empty() {
-        table.long(positions)?
-    } else {
-        table.wide(&positions.named)?
+    let mut instants = match positions.named.is_empty() {
+        true if table.is_envelope() => table.corners(positions)?,
+        true => table.long(positions)?,
+        false => table.wide(&positions.named)?,
     };
     for instant in &mut instants {
         instant.points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -168,16 +184,11 @@ impl LoadTable {
     /// Columns and factors of the six components whose names begin with `start`; absent ones are
     /// zero, but one must be there.
     fn components(&self, start: &str) -> Result<[Option<(usize, f64)>; 6], Diagnostics> {
-        let mut found = [None; 6];
-        for (found, (name, dimension)) in found.iter_mut().zip(COMPONENTS) {
-            if let Some(column) = self.0.index(&format!("{start}{name}")) {
-                *found = Some((column, self.0.factor(column, dimension)?));
-            }
-        }
+        let names = COMPONENTS.map(|(name, _)| format!("{start}{name}"));
+        let found = self.columns(&names)?;
         if found.iter().all(Option::is_none) {
             self.0.require([&*format!("{start}bending_y")])?;
         }
-        let names = COMPONENTS.map(|(name, _)| format!("{start}{name}"));
         let absent = names
             .iter()
             .zip(&found)
@@ -201,6 +212,17 @@ impl LoadTable {
         }
     }
 
+    /// Columns and factors of the six components by their names.
+    fn columns(&self, names: &[String; 6]) -> Result<[Option<(usize, f64)>; 6], Diagnostics> {
+        let mut found = [None; 6];
+        for ((found, name), (_, dimension)) in found.iter_mut().zip(names).zip(COMPONENTS) {
+            if let Some(column) = self.0.index(name) {
+                *found = Some((column, self.0.factor(column, dimension)?));
+            }
+        }
+        Ok(found)
+    }
+
     fn force(
         &self,
         row: &Row,
@@ -215,16 +237,18 @@ impl LoadTable {
         Ok(force)
     }
 
+    /// The column of positions and the factor to parts of the `length` of the blade.
+    fn position(&self, length: f64) -> Result<(usize, f64), Diagnostics> {
+        Ok(match (self.0.index("eta"), self.0.index("arc")) {
+            (Some(eta), _) => (eta, 1.0),
+            (None, Some(arc)) => (arc, self.0.factor(arc, Dimension::LENGTH)? / length),
+            (None, None) => (self.0.require(["arc_length"])?[0], 1.0 / length),
+        })
+    }
+
     /// A row for each position and instant.
     fn long(&self, positions: &LoadPositions) -> Result<Vec<LoadInstant>, Diagnostics> {
-        let (position, scale) = match (self.0.index("eta"), self.0.index("arc")) {
-            (Some(eta), _) => (eta, 1.0),
-            (None, Some(arc)) => (
-                arc,
-                self.0.factor(arc, Dimension::LENGTH)? / positions.length,
-            ),
-            (None, None) => (self.0.require(["arc_length"])?[0], 1.0 / positions.length),
-        };
+        let (position, scale) = self.position(positions.length)?;
         let columns = self.components("")?;
         let instants = INSTANTS.map(|name| self.0.index(name));
         let [case, time, _] = instants;

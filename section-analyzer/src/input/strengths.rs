@@ -8,8 +8,8 @@ use shared_geom::units::Dimension;
 
 use super::problem::InputProblem;
 use crate::material::{
-    DEFAULT_INTERACTION, DirectionalLimits, ElasticLaw, MaterialLimits, StrainLimit, Strength,
-    StrengthProblem, UniformLimits,
+    DEFAULT_INTERACTION, DirectionalLimits, ElasticLaw, Fatigue, MaterialLimits, Slopes,
+    StrainLimit, Strength, StrengthProblem, UniformLimits,
 };
 
 keys! {
@@ -21,6 +21,10 @@ keys! {
     pub(super) PLY_STRENGTH: Nested = "strength", [OneTable(&PLY_STRENGTHS)], optional, "";
     /// Limits for the failure indices.
     pub(super) PLY_STRAIN: Nested = "strain_limit", [OneTable(&PLY_STRAINS)], optional, "";
+    /// Slope m of the S-N line N = (S / S_a)^m, for damage by `strength`; of a ply along the fiber.
+    M: Option<f64> = "m", [Quantity(Dimension::NUMBER)], optional, "10";
+    /// Slope of the S-N lines across the fiber and in shear.
+    M_MATRIX: Option<f64> = "m_matrix", [Quantity(Dimension::NUMBER)], or "m", "8";
     /// Yield stress.
     YIELD: f64 = "yield", [Quantity(Dimension::STRESS)], required, "\"350 MPa\"";
     /// In tension.
@@ -34,7 +38,7 @@ keys! {
 const UNIFORM_STRENGTHS: TableSchema = TableSchema {
     title: "[material.NAME.strength], isotropic",
     meaning: "Largest stresses of an isotropic material, all positive.",
-    keys: &[],
+    keys: &[M.schema],
     families: &[
         schema::Family {
             name: "yield",
@@ -58,6 +62,7 @@ keys! {
     COMPRESSION_STRAIN: f64 = "compression", [Quantity(Dimension::NUMBER)], required, "0.012";
     /// In shear, an engineering strain.
     SHEAR_STRAIN: f64 = "shear", [Quantity(Dimension::NUMBER)], required, "0.018";
+    with M.schema;
 }
 
 keys! {
@@ -87,6 +92,7 @@ keys! {
     F13: Option<f64> = "f13", [Quantity(Dimension::NUMBER)], or "f12", "-0.4";
     /// Interaction of 2 and 3 in Tsai-Wu.
     F23: Option<f64> = "f23", [Quantity(Dimension::NUMBER)], or "f12", "-0.4";
+    with M.schema, M_MATRIX.schema;
 }
 
 keys! {
@@ -111,6 +117,7 @@ keys! {
     S13_STRAIN: Option<f64> = "s13", [Quantity(Dimension::NUMBER)], or "s12", "0.02";
     /// Shear in the plane of 2 and 3.
     S23_STRAIN: Option<f64> = "s23", [Quantity(Dimension::NUMBER)], or "yc", "0.02";
+    with M.schema, M_MATRIX.schema;
 }
 
 /// The keys of a table.
@@ -182,13 +189,22 @@ pub(super) fn read(name: &str, table: &Table<'_>, law: Option<&ElasticLaw>) -> M
             table: &table,
             measure,
         };
-        let read = limits.family(law).and_then(|family| limits.read(family));
+        let read = limits.family(law).and_then(|family| {
+            let slopes = limits.slopes(family);
+            Some((limits.read(family)?, slopes))
+        });
         table.finish();
         read
     };
+    let (strength, strain) = (read(STRENGTH), read(STRAIN_LIMIT));
+    let slopes = |read: &Option<(Strength, Option<Slopes>)>| read.as_ref().and_then(|read| read.1);
     MaterialLimits {
-        strength: read(STRENGTH),
-        strain: read(STRAIN_LIMIT).and_then(|strength| match strength {
+        fatigue: Fatigue {
+            stress: slopes(&strength),
+            strain: slopes(&strain),
+        },
+        strength: strength.map(|read| read.0),
+        strain: strain.and_then(|(strength, _)| match strength {
             Strength::Ply { limits, .. } => Some(StrainLimit::Ply(limits)),
             Strength::Uniform(limits) => Some(StrainLimit::Uniform(limits)),
             // not among the families of a strain limit
@@ -210,8 +226,9 @@ impl Limits<'_> {
         // All keys are read, so that none of them is reported as unknown.
         let mut found: Vec<(Family, &'static str)> = Vec::new();
         for (family, keys) in self.measure.families {
-            let present: Vec<_> = keys.iter().filter(|key| self.table.has(key)).collect();
-            if let Some(key) = present.first() {
+            // the slope is a key of all of them
+            let mut own = keys.iter().filter(|key| key.name != M.name());
+            if let Some(key) = own.find(|key| self.table.has(key)) {
                 found.push((*family, key.name));
             }
         }
@@ -267,12 +284,33 @@ impl Limits<'_> {
             }
             Family::Yield => Strength::Yield(self.table.get(&YIELD)?),
         };
+        self.is_sound(strength.check()).then_some(strength)
+    }
+
+    /// The slopes of the S-N lines, if they are given and admissible; wrong ones are noted.
+    fn slopes(&self, family: Family) -> Option<Slopes> {
+        let fiber = self.table.get(&M);
+        let matrix = match family {
+            Family::Ply => self.table.get(&M_MATRIX).flatten(),
+            Family::Uniform | Family::Yield => None,
+        };
+        let fiber = fiber?;
+        let slopes = Slopes {
+            fiber: fiber.or(matrix)?,
+            matrix: matrix.or(fiber)?,
+        };
+        self.is_sound(slopes.check()).then_some(slopes)
+    }
+
+    /// Whether there are no problems, which are noted.
+    fn is_sound(&self, problems: Vec<StrengthProblem>) -> bool {
         let mut is_sound = true;
-        for problem in strength.check() {
+        for problem in problems {
             is_sound = false;
             let key = match &problem {
                 StrengthProblem::NotPositive { key, .. }
                 | StrengthProblem::Extreme { key, .. }
+                | StrengthProblem::SlopeOutOfRange { key, .. }
                 | StrengthProblem::InteractionOutOfRange { key, .. } => key,
                 StrengthProblem::OpenSurface { .. } => F12.name(),
             };
@@ -284,7 +322,7 @@ impl Limits<'_> {
                     .note(key, &InputProblem::Strength { material, problem });
             }
         }
-        is_sound.then_some(strength)
+        is_sound
     }
 
     fn directional(&self) -> Option<DirectionalLimits> {

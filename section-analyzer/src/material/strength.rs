@@ -6,6 +6,8 @@
 use serde::Serialize;
 use shared_geom::error::Explain;
 
+use super::fatigue::{Fatigue, SLOPES, Slopes};
+
 /// Slack of the combined bound of the three interactions: the default, -0.5 for all
 /// three, lies on it.
 const OPEN_SURFACE: f64 = -1e-12;
@@ -75,6 +77,9 @@ pub struct MaterialLimits {
     pub strength: Option<Strength>,
     /// Limits of strains, if known.
     pub strain: Option<StrainLimit>,
+    /// Slopes of the S-N lines, if known.
+    #[serde(skip)]
+    pub fatigue: Fatigue,
 }
 
 /// Reasons for which a strength is not admissible.
@@ -104,6 +109,14 @@ pub enum StrengthProblem {
         /// Value found \[-\].
         value: f64,
     },
+    /// A slope of an S-N line is out of its range.
+    #[error("{key} is {value}, expected {} to {}", SLOPES.0, SLOPES.1)]
+    SlopeOutOfRange {
+        /// Key of the slope.
+        key: &'static str,
+        /// Value found \[-\].
+        value: f64,
+    },
     /// The failure surface is open with the three interactions.
     #[error(
         "1 + 2 f12 f13 f23 - f12^2 - f13^2 - f23^2 is {value:.6}, expected 0 or more: \
@@ -127,6 +140,9 @@ impl Explain for StrengthProblem {
             }
             Self::InteractionOutOfRange { .. } => {
                 "it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice"
+            }
+            Self::SlopeOutOfRange { .. } => {
+                "it is the exponent of N = (S / S_a)^m, as 10 of glass fibers in epoxy"
             }
             Self::OpenSurface { .. } => {
                 "the default of f13 and f23 is f12; equal ones must be -0.5 or more"
@@ -182,6 +198,18 @@ impl StrainLimit {
             Self::Ply(limits) => limits.check(),
             Self::Uniform(limits) => limits.check(),
         }
+    }
+}
+
+impl Slopes {
+    /// All slopes out of their range.
+    pub fn check(&self) -> Vec<StrengthProblem> {
+        let is_wrong = |value: f64| !(SLOPES.0..=SLOPES.1).contains(&value);
+        let slopes = [("m", self.fiber), ("m_matrix", self.matrix)];
+        let wrong = slopes.into_iter().filter(|(_, value)| is_wrong(*value));
+        wrong
+            .map(|(key, value)| StrengthProblem::SlopeOutOfRange { key, value })
+            .collect()
     }
 }
 

@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 
-use crate::input::layup::{Course, Layup, Place, PlaceForm, SIDES, TOWARDS, Toward, WrittenLayer};
+use crate::input::layup::{
+    Course, Layup, Place, PlaceForm, SIDES, TOWARDS, Taper, Toward, WrittenLayer,
+};
 
 /// The layup file of `layup`, read from `source`. Lengths are in its unit.
 pub fn layup_file(layup: &Layup, source: &str) -> String {
@@ -48,12 +50,17 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
         writeln!(text, "\n[[shape.airfoils]]\n{key} = {at:?}")?;
         writeln!(text, "points = [{}]", rows.join(", "))?;
     }
+    for (name, at) in &layup.places {
+        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
+    }
     for layer in &layup.layers {
         writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
         writeln!(text, "from = {}", place(&layer.from, unit))?;
         writeln!(text, "to = {}", place(&layer.to, unit))?;
-        if let Some(taper) = layer.taper {
-            writeln!(text, "taper = {:?}", taper / unit)?;
+        match layer.taper {
+            Some(Taper::Length(length)) => writeln!(text, "taper = {:?}", length / unit)?,
+            Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
+            None => {}
         }
     }
     for web in &layup.webs {
@@ -124,6 +131,10 @@ fn rows_of(layer: &WrittenLayer, unit: f64) -> Vec<String> {
 }
 
 fn place(place: &Place, unit: f64) -> String {
+    format!("{{ {} }}", entries(place, unit).join(", "))
+}
+
+fn entries(place: &Place, unit: f64) -> Vec<String> {
     let side = |side: usize| format!("side = {:?}", SIDES[side]);
     let mut entries = match &place.form {
         PlaceForm::Arc(arc) => vec![format!("arc = {}", course(arc, 1.0))],
@@ -138,12 +149,20 @@ fn place(place: &Place, unit: f64) -> String {
             }
             entries
         }
+        PlaceForm::Named(name) if place.part != 0.0 => {
+            let (sign, part) = if place.part < 0.0 {
+                ('-', -place.part)
+            } else {
+                ('+', place.part)
+            };
+            vec![format!("at = \"{name} {sign} {part:?}\"")]
+        }
         PlaceForm::Named(name) => vec![format!("at = {name:?}")],
     };
     if !is_zero(&place.shift) {
         entries.push(format!("shift = {}", course(&place.shift, unit)));
     }
-    format!("{{ {} }}", entries.join(", "))
+    entries
 }
 
 fn is_zero(course: &Course) -> bool {
@@ -173,5 +192,10 @@ fn list(course: &Course, written: impl Fn(f64) -> String) -> String {
         word => format!(", course = {word:?}"),
     };
     let (eta, value) = (eta.join(", "), value.join(", "));
-    format!("{{ eta = [{eta}], value = [{value}]{word} }}")
+    let held = if course.is_held() {
+        ", hold = true"
+    } else {
+        ""
+    };
+    format!("{{ eta = [{eta}], value = [{value}]{word}{held} }}")
 }

@@ -11,10 +11,12 @@ use shared_geom::section::{Provenance, SectionProperties};
 use super::layup_report::LayerRow;
 use super::section_picture::SectionPicture;
 
+mod compare;
 mod plot;
 mod table;
 mod text;
 
+pub use compare::{comparison_csv, comparison_text};
 pub use plot::span_plots;
 pub(super) use table::SpanRow;
 pub use table::{layers_csv, span_csv};
@@ -116,6 +118,11 @@ impl SpanFiles {
     /// The table of the layers at the stations.
     pub fn layers(&self) -> PathBuf {
         self.path("layers.csv")
+    }
+
+    /// The differences from another blade.
+    pub fn comparison(&self) -> PathBuf {
+        self.path("compare.csv")
     }
 
     /// The report.

@@ -1,4 +1,4 @@
-//! Reserve factors and fatigue loads of a blade.
+//! Reserve factors of a blade.
 
 use std::fmt::Write;
 
@@ -6,84 +6,45 @@ use nalgebra::Vector6;
 
 use super::text::{csv, table};
 use crate::input::result_tables::RESERVES;
-use crate::recovery::FailureIndex;
+use crate::input::span_loads::ListedStation;
+use crate::recovery::RegionReserve;
 
 /// The governing instant and point of a ply at a station.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReserveRow {
-    /// Position of the station along the span [-].
-    pub eta: f64,
-    /// The section.
-    pub section: String,
+    /// The station.
+    pub station: ListedStation,
     /// The ply: a physical surface of the section.
     pub ply: String,
     /// Its material.
     pub material: String,
-    /// The failure index with the smallest reserve factor.
-    pub worst: FailureIndex,
+    /// The governing point.
+    pub found: RegionReserve,
     /// The instant.
     pub instant: String,
-    /// Position (y, z) in the section \[m\].
-    pub position: [f64; 2],
     /// Internal force at this instant about the reference line, in section axes \[N, N m\].
     pub force: Vector6<f64>,
-}
-
-/// The fatigue load of a component at a station.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FatigueRow {
-    /// Position of the station along the span [-].
-    pub eta: f64,
-    /// The section.
-    pub section: String,
-    /// The component, with its unit.
-    pub component: String,
-    /// Number of cycles [-].
-    pub cycles: f64,
-    /// The largest range [unit of the component].
-    pub largest: f64,
-    /// Woehler exponent [-].
-    pub exponent: f64,
-    /// Range of equal damage [unit of the component].
-    pub equivalent: f64,
 }
 
 /// One row per station and ply, as CSV.
 pub fn strength_csv(rows: &[ReserveRow]) -> String {
     let heading = RESERVES.map(str::to_owned).to_vec();
     let cells = rows.iter().map(|row| {
-        let worst = &row.worst;
-        let mut cells = vec![format!("{:e}", row.eta), row.section.clone()];
+        let worst = &row.found.worst;
+        let mut cells = vec![
+            format!("{:e}", row.station.eta),
+            row.station.section.clone(),
+        ];
         cells.extend([row.ply.clone(), row.material.clone()]);
         cells.extend([worst.reserve_factor, worst.index].map(|value| format!("{value:e}")));
         cells.extend([worst.criterion.key(), worst.mode.name()].map(str::to_owned));
         cells.push(row.instant.clone());
-        let numbers = row.position.iter().chain(&row.force);
+        let numbers = row.found.position.iter().chain(&row.force);
+        let numbers = numbers.chain(&row.found.stress);
         cells.extend(numbers.map(|value| format!("{value:e}")));
         cells
     });
     csv(std::iter::once(heading).chain(cells))
-}
-
-/// One row per station, component and exponent, as CSV.
-pub fn fatigue_csv(rows: &[FatigueRow]) -> String {
-    let heading = [
-        "eta [-]",
-        "section",
-        "component",
-        "cycles [-]",
-        "largest_range",
-        "exponent [-]",
-        "equivalent_range",
-    ];
-    let cells = rows.iter().map(|row| {
-        let mut cells = vec![format!("{:e}", row.eta), row.section.clone()];
-        cells.push(row.component.clone());
-        let values = [row.cycles, row.largest, row.exponent, row.equivalent];
-        cells.extend(values.map(|value| format!("{value:e}")));
-        cells
-    });
-    csv(std::iter::once(heading.map(str::to_owned).to_vec()).chain(cells))
 }
 
 /// The critical ply of each station, and of all.
@@ -98,11 +59,11 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
     ];
     let mut lines = vec![heading.map(str::to_owned).to_vec()];
     let mut stations: Vec<&ReserveRow> = Vec::new();
-    let least = |row: &ReserveRow| row.worst.reserve_factor;
+    let least = |row: &ReserveRow| row.found.worst.reserve_factor;
     for row in rows {
         match stations
             .last_mut()
-            .filter(|known| known.section == row.section)
+            .filter(|known| known.station == row.station)
         {
             Some(known) if least(row) < least(known) => *known = row,
             Some(_) => {}
@@ -111,11 +72,11 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
     }
     lines.extend(stations.iter().map(|row| {
         vec![
-            crate::mesh::short(row.eta),
+            row.station.label(),
             row.ply.clone(),
             format!("{:.4}", least(row)),
-            row.worst.criterion.name().to_owned(),
-            row.worst.mode.name().to_owned(),
+            row.found.worst.criterion.name().to_owned(),
+            row.found.worst.mode.name().to_owned(),
             row.instant.clone(),
         ]
     }));
@@ -128,13 +89,13 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
              {}, {}",
             row.ply,
             row.material,
-            crate::mesh::short(row.eta),
-            row.position[0],
-            row.position[1],
+            row.station.label(),
+            row.found.position[0],
+            row.found.position[1],
             row.instant,
             least(row),
-            row.worst.criterion.name(),
-            row.worst.mode.name(),
+            row.found.worst.criterion.name(),
+            row.found.worst.mode.name(),
         );
     }
     text

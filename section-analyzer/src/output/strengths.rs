@@ -1,7 +1,7 @@
 //! Report of the strengths of materials.
 
 use crate::material::{
-    DirectionalLimits, Material, MaterialLimits, StrainLimit, Strength, UniformLimits,
+    DirectionalLimits, Material, MaterialLimits, Slopes, StrainLimit, Strength, UniformLimits,
 };
 
 /// Strengths and strain limits of each material that has any, with values derived from
@@ -11,10 +11,12 @@ pub(super) fn strengths(materials: &[Material], limits: &[MaterialLimits]) -> St
     for (material, limits) in materials.iter().zip(limits) {
         let name = &material.name;
         if let Some(strength) = &limits.strength {
-            text += &format!("  {name}: {}\n", of_stress(strength));
+            let slopes = of_slopes(limits.fatigue.stress);
+            text += &format!("  {name}: {}{slopes}\n", of_stress(strength));
         }
         if let Some(limit) = &limits.strain {
-            text += &format!("  {name}: {}\n", of_strain(limit));
+            let slopes = of_slopes(limits.fatigue.strain);
+            text += &format!("  {name}: {}{slopes}\n", of_strain(limit));
         }
     }
     if text.is_empty() {
@@ -47,6 +49,14 @@ fn of_strain(limit: &StrainLimit) -> String {
     }
 }
 
+fn of_slopes(slopes: Option<Slopes>) -> String {
+    slopes.map_or_else(String::new, |slopes| {
+        let mut values = vec![slopes.fiber, slopes.matrix];
+        values.dedup();
+        format!("; m {}", listed(&values, (1.0, "")))
+    })
+}
+
 fn uniform(what: &str, limits: &UniformLimits, unit: (f64, &str)) -> String {
     let values = [limits.tension, limits.compression, limits.shear];
     format!(
@@ -76,7 +86,7 @@ fn listed(values: &[f64], (factor, unit): (f64, &str)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::ElasticLaw;
+    use crate::material::{ElasticLaw, Fatigue};
 
     #[test]
     fn every_limit_is_shown() {
@@ -95,6 +105,7 @@ mod tests {
             compression: [1200e6, 200e6, 160e6],
             shear: [100e6, 60e6, 70e6],
         };
+        let slopes = |fiber, matrix| Some(Slopes { fiber, matrix });
         let limits = [
             MaterialLimits {
                 strength: Some(Strength::Ply {
@@ -102,6 +113,10 @@ mod tests {
                     interaction: [-0.5, -0.5, -0.25],
                 }),
                 strain: None,
+                fatigue: Fatigue {
+                    stress: slopes(10.0, 8.0),
+                    strain: None,
+                },
             },
             MaterialLimits {
                 strength: Some(Strength::Yield(250e6)),
@@ -110,15 +125,19 @@ mod tests {
                     compression: 0.02,
                     shear: 0.015,
                 })),
+                fatigue: Fatigue {
+                    stress: None,
+                    strain: slopes(4.5, 4.5),
+                },
             },
         ];
         let shown = strengths(&[material("ply"), material("steel")], &limits);
         let expected = "\
 Strengths
   ply: stress xt, yt, zt 1500, 50, 40 MPa; xc, yc, zc 1200, 200, 160 MPa; s23, s13, s12 100, 60, 70 MPa
-      f23, f13, f12 -0.5, -0.5, -0.25
+      f23, f13, f12 -0.5, -0.5, -0.25; m 10, 8
   steel: yield 250 MPa
-  steel: strain in tension, compression, shear 0.01, 0.02, 0.015
+  steel: strain in tension, compression, shear 0.01, 0.02, 0.015; m 4.5
 ";
         assert_eq!(shown, expected);
         assert_eq!(

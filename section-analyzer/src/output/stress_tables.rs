@@ -212,7 +212,7 @@ mod tests {
         let recovery = recover(&section, &analyze(&section).unwrap(), &load).unwrap();
         let limits = [MaterialLimits {
             strength: Some(Strength::Yield(4.0)),
-            strain: None,
+            ..MaterialLimits::default()
         }];
 
         let points = stress_points_csv(&section, &limits, &recovery);

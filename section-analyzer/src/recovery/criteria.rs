@@ -10,6 +10,8 @@ mod hashin;
 mod tsai_wu;
 mod uniform;
 
+use nalgebra::Vector6;
+
 use super::state::Tensors;
 use crate::material::{MaterialLimits, StrainLimit, Strength};
 
@@ -127,8 +129,55 @@ pub struct FailureIndex {
 /// [`Criterion::ALL`].
 pub fn failure_indices(limits: &MaterialLimits, tensors: &Tensors) -> Vec<FailureIndex> {
     let mut indices = Vec::new();
+    each_index(limits, tensors, |index| indices.push(index));
+    indices
+}
+
+/// The index with the smallest reserve factor, if the material has limits.
+pub(super) fn worst_index(limits: &MaterialLimits, tensors: &Tensors) -> Option<FailureIndex> {
+    let mut worst: Option<FailureIndex> = None;
+    each_index(limits, tensors, |index| {
+        if worst.is_none_or(|worst| {
+            index
+                .reserve_factor
+                .total_cmp(&worst.reserve_factor)
+                .is_lt()
+        }) {
+            worst = Some(index);
+        }
+    });
+    worst
+}
+
+/// The inverse of the smallest reserve factor of all criteria but Hashin, a convex function of the
+/// state that is proportional to its size \[-\].
+pub(super) fn convex_size(limits: &MaterialLimits, tensors: &Tensors) -> f64 {
+    let mut size = f64::NEG_INFINITY;
+    each_index(limits, tensors, |index| {
+        if index.criterion != Criterion::Hashin {
+            size = size.max(1.0 / index.reserve_factor);
+        }
+    });
+    size
+}
+
+/// An upper bound of the inverse of the reserve factor by Hashin for all stresses in material axes
+/// from `low` to `high`, each component by itself \[-\]; its safe set may have hollows.
+pub(super) fn hashin_bound(
+    limits: &MaterialLimits,
+    low: &Vector6<f64>,
+    high: &Vector6<f64>,
+) -> f64 {
+    match &limits.strength {
+        Some(Strength::Ply { limits, .. }) => hashin::bound(limits, low, high),
+        Some(Strength::Uniform(_) | Strength::Yield(_)) | None => f64::NEG_INFINITY,
+    }
+}
+
+/// Calls `see` with the index of each criterion for which a material has limits.
+fn each_index(limits: &MaterialLimits, tensors: &Tensors, mut see: impl FnMut(FailureIndex)) {
     let mut add = |criterion, (index, reserve_factor, mode): Verdict| {
-        indices.push(FailureIndex {
+        see(FailureIndex {
             criterion,
             index,
             reserve_factor,
@@ -171,7 +220,6 @@ pub fn failure_indices(limits: &MaterialLimits, tensors: &Tensors) -> Vec<Failur
         }
         Some(Strength::Uniform(_)) | None => {}
     }
-    indices
 }
 
 /// Index, reserve factor, mode.

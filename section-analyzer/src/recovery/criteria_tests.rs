@@ -2,7 +2,7 @@
 //! a few roundings, 1e-14.
 
 use super::*;
-use crate::material::{DEFAULT_INTERACTION, DirectionalLimits, UniformLimits};
+use crate::material::{DEFAULT_INTERACTION, DirectionalLimits, Fatigue, UniformLimits};
 use approx::assert_relative_eq;
 use nalgebra::Vector6;
 
@@ -20,6 +20,10 @@ const PLY: MaterialLimits = MaterialLimits {
         interaction: [DEFAULT_INTERACTION; 3],
     }),
     strain: Some(StrainLimit::Ply(LIMITS)),
+    fatigue: Fatigue {
+        stress: None,
+        strain: None,
+    },
 };
 
 fn of(limits: &MaterialLimits, criterion: Criterion, stress: [f64; 6]) -> FailureIndex {
@@ -104,7 +108,7 @@ fn tsai_wu_contains_von_mises() {
             },
             interaction: [DEFAULT_INTERACTION; 3],
         }),
-        strain: None,
+        ..MaterialLimits::default()
     };
     let stress = [120.0, -40.0, 65.0, 20.0, -35.0, 50.0];
     let tensors = Tensors {
@@ -166,6 +170,7 @@ fn principal_values_of_uniform_materials() {
     let limits = MaterialLimits {
         strength: Some(Strength::Uniform(uniform)),
         strain: Some(StrainLimit::Uniform(uniform)),
+        ..MaterialLimits::default()
     };
     let check = |criterion, stress, index: f64, mode| {
         let found = of(&limits, criterion, stress);
@@ -203,7 +208,7 @@ fn principal_values_of_uniform_materials() {
 fn yielding() {
     let limits = MaterialLimits {
         strength: Some(Strength::Yield(250.0)),
-        strain: None,
+        ..MaterialLimits::default()
     };
     let found = of(
         &limits,

@@ -205,7 +205,7 @@ mod tests {
 
         let limits = [MaterialLimits {
             strength: Some(Strength::Yield(3.0)),
-            strain: None,
+            ..MaterialLimits::default()
         }];
         assert_eq!(criteria_of(&limits), [Criterion::VonMises]);
         let [failure] = &region_failures(&section, &limits, &recovery)[..] else {

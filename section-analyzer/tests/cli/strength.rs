@@ -17,6 +17,8 @@ xc = 0.7
 yt = 0.04
 yc = 0.14
 s12 = 0.07
+m = 10
+m_matrix = 8
 ";
 
 /// A solved blade of three stations, with strengths of one material.
@@ -107,7 +109,43 @@ fn loads_along_the_blade_are_those_of_single_recoveries() {
         assert!(error.abs() < 1e-5, "{name}: {error}");
     }
     assert!(run.out.contains("Critical: ply \""), "{}", run.out);
+    stresses_are_those_of_single_recoveries(&workplace, &found[0]);
     assert!(!workplace.path("b/a.fatigue.csv").exists());
+}
+
+/// The stresses of a row equal the ones of `stress` at its position, whose table has six digits.
+fn stresses_are_those_of_single_recoveries(workplace: &Workplace, row: &Row) {
+    let section = format!("b/sections/{}.section.toml", row["section"]);
+    let [shear, moment] = ["shear_z [N]", "bending_y [N m]"].map(|key| &*row[key]);
+    let load = [
+        "--shear-z",
+        shear,
+        "--bending-y",
+        moment,
+        "--out",
+        "s",
+        "--no-figures",
+    ];
+    let run = workplace.run(&[&["stress", &section], &load[..]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    let points = rows(workplace, &format!("s/{}.load.stress.csv", row["section"]));
+    let distance = |point: &Row| {
+        let parts = ["y [m]", "z [m]"].map(|key| (number(point, key) - number(row, key)).powi(2));
+        parts.iter().sum::<f64>()
+    };
+    let nearest = points
+        .iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .unwrap();
+    let axes = ["11", "22", "33", "23", "13", "12"];
+    let [single, own] =
+        [nearest, row].map(|row| axes.map(|axes| number(row, &format!("stress_{axes} [Pa]"))));
+    let largest = own
+        .iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    for (a, b) in single.iter().zip(own) {
+        assert!((a - b).abs() < 1e-5 * largest, "{single:?} {own:?}");
+    }
 }
 
 /// The history of the example of ASTM E1049, figure 6, as a moment in kN m: half a range of 3, one
@@ -182,6 +220,161 @@ fn instants_are_cases_at_times_in_any_order() {
         let errors = [0, 1].map(|i| (found[i] - expected[i]).abs());
         assert!(errors[0] == 0.0 && errors[1] < 1e-9, "{found:?}");
     }
+}
+
+/// Two cases of ten cycles in 20 s.
+fn two_cases() -> String {
+    let mut table = "case,time [s],eta,bending y [N m]\n".to_owned();
+    for eta in [0.0, 1.0] {
+        for (case, moments) in [("calm", [-500, 500]), ("gust", [-1000, 1000])] {
+            // ten cycles in 20 s
+            for time in 0..=20 {
+                writeln!(table, "{case},{time},{eta},{}", moments[time % 2]).unwrap();
+            }
+        }
+    }
+    table
+}
+
+/// Two cases of constant cycles, one of which lasts 2000 hours: each row is Miner's sum of both by its
+/// own numbers, the second range is the half of the first. The life is the whole time over it.
+#[test]
+fn damage_is_the_sum_of_the_cycles_of_all_cases() {
+    let workplace = solved();
+    let table = two_cases();
+    workplace.write("life.csv", "case,duration [h]\ngust,1\ncalm,2000\n");
+    let run = strength(&workplace, &table, &["--durations", "life.csv"]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert!(run.out.contains("Damage of 2001 h"), "{}", run.out);
+    assert!(
+        run.out.contains("Critical in fatigue: ply \""),
+        "{}",
+        run.out
+    );
+    let found = rows(&workplace, "b/a.damage.csv");
+    let plies = |name: &str| {
+        let rows = rows(&workplace, name).into_iter();
+        rows.map(|row| (row["section"].clone(), row["ply"].clone()))
+            .collect::<BTreeSet<_>>()
+    };
+    assert_eq!(plies("b/a.damage.csv"), plies("b/a.strength.csv"));
+    for row in &found {
+        let [range, mean, limit, slope] = [
+            "largest_range",
+            "mean_of_largest",
+            "limit_amplitude",
+            "slope [-]",
+        ]
+        .map(|key| number(row, key));
+        let limits: [f64; 3] = match &*row["component"] {
+            "stress 11 [Pa]" => [1.1e9, 0.7e9, 10.0],
+            "stress 22 [Pa]" => [0.04e9, 0.14e9, 8.0],
+            "stress 12 [Pa]" => [0.07e9, 0.07e9, 8.0],
+            other => panic!("{other}"),
+        };
+        assert!(mean.abs() < 1e-9 * range, "{row:?}");
+        let expected = limits[0].min(limits[1]);
+        assert!((limit / expected - 1.0).abs() < 1e-6 && slope == limits[2]);
+        let ratio = 0.5 * range / limit;
+        // 180 and 360 000 periods of 20 s
+        let damage = 1800.0 * ratio.powf(slope) + 3.6e6 * (0.5 * ratio).powf(slope);
+        let error = number(row, "damage [-]") / damage - 1.0;
+        assert!(error.abs() < 1e-6, "{row:?}");
+        assert_eq!(number(row, "cycles [-]"), 3_601_800.0);
+        let life = number(row, "life [h]") * damage / 2001.0 - 1.0;
+        let factor = number(row, "reserve_factor [-]") / damage.powf(-1.0 / slope) - 1.0;
+        assert!(life.abs() < 1e-6 && factor.abs() < 1e-6, "{row:?}");
+    }
+}
+
+#[test]
+fn durations_are_of_all_cases() {
+    let workplace = solved();
+    let table = two_cases();
+    for (durations, expected) in [
+        (
+            "case,duration [h]\ngust,1\ncalmm,-1\ngust,2\n",
+            &[
+                "life.csv:3: case \"calmm\": found -3600 s",
+                "life.csv:4: case \"gust\" is there twice",
+                "life.csv:1: the table has no duration of \"calm\"",
+            ][..],
+        ),
+        (
+            "case,duration [m]\ngust,1\n",
+            &["life.csv:1: column \"duration [m]\""],
+        ),
+        (
+            "case,duration\ncalmm,1\ncalm,1\ngust,1\n",
+            &["did you mean \"calm\"?"],
+        ),
+    ] {
+        workplace.write("life.csv", durations);
+        let run = strength(&workplace, &table, &["--durations", "life.csv"]);
+        assert_eq!(run.code, 2);
+        assert!(
+            expected.iter().all(|text| run.err.contains(text)),
+            "{}",
+            run.err
+        );
+    }
+    let run = strength(
+        &workplace,
+        "eta,axial\n0,1\n1,1\n",
+        &["--durations", "life.csv"],
+    );
+    assert!(
+        run.err.contains("the loads have no cases over time"),
+        "{}",
+        run.err
+    );
+}
+
+/// An envelope is its corners: the smallest reserve factors equal the ones of the table of all four
+/// combinations of two components, with the stresses of the governing one.
+#[test]
+fn envelopes_are_the_loads_of_their_corners() {
+    let workplace = solved();
+    let envelope = "eta,shear z max [N],shear z min [N],bending y max [kN m],bending y min [kN m]\n\
+                    0,300,-100,0.2,-2\n1,100,-50,0.1,-0.1\n";
+    let run = strength(&workplace, envelope, &[]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let known = rows(&workplace, "b/a.strength.csv");
+    let mut table = "case,eta,shear z [N],bending y [kN m]\n".to_owned();
+    for corner in 0..4 {
+        let [shear, bending] = [corner % 2, corner / 2];
+        for (eta, shears, moments) in [(0, [300, -100], [0.2, -2.0]), (1, [100, -50], [0.1, -0.1])]
+        {
+            writeln!(
+                table,
+                "{corner},{eta},{},{}",
+                shears[shear], moments[bending]
+            )
+            .unwrap();
+        }
+    }
+    assert_eq!(strength(&workplace, &table, &[]).code, 0);
+    let single = rows(&workplace, "b/a.strength.csv");
+    assert_eq!(known.len(), single.len());
+    let names = [
+        "shear_z max bending_y max",
+        "shear_z min bending_y max",
+        "shear_z max bending_y min",
+        "shear_z min bending_y min",
+    ];
+    for (a, b) in known.iter().zip(&single) {
+        let corner: usize = b["instant"].strip_prefix("case ").unwrap().parse().unwrap();
+        assert_eq!(a["instant"], names[corner]);
+        for (column, value) in a.iter().filter(|(column, _)| *column != "instant") {
+            assert_eq!(*value, b[column], "{column}");
+        }
+    }
+    let run = strength(&workplace, "eta,axial max\n0,1\n1,1\n", &[]);
+    assert!(
+        run.code == 2 && run.err.contains("no column \"axial_min\""),
+        "{}",
+        run.err
+    );
 }
 
 #[test]

@@ -260,7 +260,8 @@ fn wrong_strengths_are_reported() {
             "error: a.section.toml:22: [material.steel.strain_limit] is empty, expected \"xt\" to \
              \"s23\", or \"tension\" to \"shear\"",
             "error: a.section.toml:23: unknown key \"yield\" in [material.steel.strain_limit]",
-            "  help: known keys: tension, compression, shear, xt, xc, yt, yc, s12, zt, zc, s13, s23",
+            "  help: known keys: tension, compression, shear, m, xt, xc, yt, yc, s12, zt, zc, s13, s23, \
+             m_matrix",
         ],
     );
     refused(

@@ -321,6 +321,36 @@ fn square(folder: &Path, materials: &str, layup: impl Fn(usize) -> String) {
     }
 }
 
+/// The folder of BECAS, and its file of nodes, as the mesh of a section file: the stiffness of the
+/// section that `convert` makes. A missing file is named.
+#[test]
+fn models_of_becas_are_meshes_of_section_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let becas = folder.path().join("becas");
+    std::fs::create_dir(&becas).unwrap();
+    let ply = "480 120 120 60 50 60 0.19 0.26 0.19 1\n";
+    square(&becas, &ply.repeat(2), |column| {
+        format!("{} 30 0", 1 + column / 5)
+    });
+    let file = folder.path().join("made.section.toml");
+    let words = ["convert".into(), becas.clone().into(), file.clone().into()];
+    assert_eq!(run(&words.each_ref()).0, 0);
+    let [expected, _] = matrices(&file);
+    let text = std::fs::read_to_string(&file).unwrap();
+    for mesh in ["becas", "becas/N2D.in"] {
+        let text = text.replace("\"made.msh\"", &format!("{mesh:?}"));
+        assert!(text.contains(mesh));
+        std::fs::write(&file, text).unwrap();
+        assert!(difference(&matrices(&file)[0], &expected) < 1e-12, "{mesh}");
+    }
+    std::fs::remove_file(becas.join("E2D.in")).unwrap();
+    let problems = input::read(&file).expect_err("a missing file").to_string();
+    assert!(
+        problems.contains("E2D.in") && problems.contains("no such file"),
+        "{problems}"
+    );
+}
+
 /// Sections S2 and S3 of the users' guide of BECAS, on its meshes of 10 x 10 elements with 4
 /// nodes: the published digits. Rows in BECAS' order: shear x, shear y, axial, bending x,
 /// bending y, torsion; the fiber of S3 is along the beam, and across it along x.

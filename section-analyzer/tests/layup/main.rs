@@ -5,7 +5,9 @@ mod effort;
 
 mod blades;
 mod closed_forms;
+mod equal;
 mod files;
+mod keys;
 mod prevabs;
 mod prevabs_files;
 mod random;

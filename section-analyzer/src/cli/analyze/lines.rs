@@ -77,6 +77,7 @@ impl Lines {
         let counted = [
             Status::Solved,
             Status::Unchanged,
+            Status::Sound,
             Status::NotReached,
             Status::WrongInput,
         ];

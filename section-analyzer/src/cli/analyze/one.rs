@@ -36,6 +36,8 @@ pub(in crate::cli) enum Status {
     Solved,
     /// Nothing has changed since the files were written.
     Unchanged,
+    /// Its mesh is sound; it is not solved.
+    Sound,
     /// No solution, or not all files could be written.
     NotReached,
     /// The input is wrong.
@@ -46,7 +48,7 @@ impl Status {
     /// The exit code.
     pub fn code(self) -> u8 {
         match self {
-            Self::Solved | Self::Unchanged => DONE,
+            Self::Solved | Self::Unchanged | Self::Sound => DONE,
             Self::NotReached => NOT_REACHED,
             Self::WrongInput => WRONG_INPUT,
         }
@@ -57,6 +59,7 @@ impl Status {
         match self {
             Self::Solved => "solved",
             Self::Unchanged => "unchanged",
+            Self::Sound => "sound",
             Self::NotReached => "failed",
             Self::WrongInput => "wrong input",
         }

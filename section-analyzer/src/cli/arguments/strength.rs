@@ -8,7 +8,7 @@ use clap::Args;
 use super::analyze::count;
 
 pub(super) const STRENGTH: &str = "\
-Reserve factors of all plies of a blade under many loads, and fatigue loads
+Reserve factors and damage of all plies of a blade under many loads, and fatigue loads
 
 SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections. LOADS
 has internal forces along the blade, about its line and in section axes, names with units:
@@ -17,18 +17,25 @@ has internal forces along the blade, about its line and in section axes, names w
   time [s]; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position
                       of each NAME by --at NAME=ETA
+  arc [m] or eta; axial max [N], axial min [N], ..., bending z min [N m]
+                      an envelope: each combination of largest and smallest values is a load
 Between the positions forces are linear. Written are, next to SPAN or into DIR:
   NAME.strength.csv   by station and ply: the smallest reserve factor over all instants, its
-                      criterion, mode, instant, position and internal force
+                      criterion, mode, instant, position, internal force and stresses
   NAME.fatigue.csv    with times: by station and component, damage-equivalent load ranges
                       (rainflow counting of ASTM E1049)
-Reserve factors need strengths of the materials, [material.NAME.strength].";
+  NAME.damage.csv     with times: by station and ply, Miner's sum by the constant-life diagram of
+                      its material, the component of stress or strain, its cycles and position
+Reserve factors need strengths of the materials, [material.NAME.strength], damage the slope m
+of their S-N lines too. DURATIONS has the time that each case lasts in the life of the blade,
+columns case and duration [h]; without it each history occurs once.";
 
 pub(super) const STRENGTH_EXAMPLE: &str = "\
 Examples:
   section-analyzer strength rotor/rotor.span.csv --loads results/gust.forces.csv
   section-analyzer strength rotor/rotor.span.csv --loads results/run.csv \\
-    --at root=0.02 --at mid=0.5 --exponents 4,10";
+    --at root=0.02 --at mid=0.5 --exponents 4,10
+  section-analyzer strength rotor/rotor.span.csv --loads cases.csv --durations life.csv";
 
 /// A name and its position.
 fn named(text: &str) -> Result<(String, f64), &'static str> {
@@ -64,6 +71,9 @@ pub(in crate::cli) struct StrengthArguments {
     /// Woehler exponents of the damage-equivalent load ranges
     #[arg(long, value_name = "NUMBERS", value_delimiter = ',', default_value = "4,10", value_parser = positive, allow_negative_numbers = true)]
     pub exponents: Vec<f64>,
+    /// Table of the time that each case lasts in the life of the blade
+    #[arg(long, value_name = "FILE")]
+    pub durations: Option<PathBuf>,
     /// Number of cycles of these ranges; one each second if not given
     #[arg(long, value_name = "COUNT", value_parser = positive, allow_negative_numbers = true)]
     pub cycles: Option<f64>,

@@ -19,6 +19,8 @@ windIO. Its sections are meshed and solved in parallel, and written into the fol
   NAME.layers.csv     by station and layer: arcs, thickness, area as given and meshed
   NAME.span.png, NAME.shear.png, NAME.centers.png
                       the same over the arc length
+  NAME.compare.csv    with --compare FILE: by station, mass, EA, EI and GJ beside the values of another
+                      blade file, as published ones, and the differences
   NAME.report.html    with --report: one page for a browser, without network: sections with
                       their layers and stresses, stiffness and mass, curves over the span, remarks; the
                       reserve factors of \"strength\" if NAME.strength.csv is in DIR
@@ -41,6 +43,8 @@ Examples:
   section-analyzer blade rotor.layup.toml --count 40 --format all --svg
   section-analyzer blade rotor.layup.toml --out rotor --report
   section-analyzer blade turbine.yaml --out turbine
+  section-analyzer blade turbine.yaml --check
+  section-analyzer blade turbine.yaml --compare published/turbine_BeamDyn.dat
   beam-dynamics modes rotor/rotor.blade.json
 
 The exit code is 2 if FILE is wrong, 1 if a section is missing or a file could not be
@@ -112,6 +116,12 @@ pub(in crate::cli) struct WholeBladeArguments {
     /// Modes that the report lists: NAME.modes.csv of "beam-dynamics modes"
     #[arg(long, value_name = "FILE", requires = "report")]
     pub modes: Option<PathBuf>,
+    /// Mesh and check the sections without solving them; nothing is written
+    #[arg(long, conflicts_with_all = ["out", "format", "report", "compare", "skip_failed", "force", "no_figures", "svg"])]
+    pub check: bool,
+    /// Blade file of any format that beam-dynamics reads: write a table of the differences
+    #[arg(long, value_name = "FILE")]
+    pub compare: Option<PathBuf>,
     /// Reduce Poisson's ratios of windIO files that no material can have
     #[arg(long)]
     pub repair_materials: bool,

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use crate::input::layup::Layup;
 use crate::input::result_tables::{ListedReserve, ModeTable, read_reserves};
 use crate::mesh::short;
-use crate::output::{Remark, ReportPage, SolvedSpan, SpanFiles};
+use crate::output::{LayerRow, Remark, ReportPage, SolvedSpan, SpanFiles};
 
 /// Part of a layer that is cut or filled from which there is a remark [-].
 const CUT: f64 = 0.01;
@@ -83,33 +83,43 @@ fn reserves(span: &SolvedSpan<'_>, files: &SpanFiles) -> Result<Vec<ListedReserv
     read_reserves(&file).map_err(|problems| format!("{shown} is not shown: {problems}"))
 }
 
-/// Layers whose cells have another area than the layer: where both sides meet, its plies are cut.
+/// Layers whose cells have another area than the layer.
 fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
+    let stations = span.stations.iter();
+    let rows = stations.map(|one| (one.properties.name.as_str(), one.layers.as_slice()));
+    let remark = |(text, sections)| Remark { text, sections };
+    cut_of_layers(rows).into_iter().map(remark).collect()
+}
+
+/// Layers whose cells have another area than the layer, with the names of the sections: where both
+/// sides meet, its plies are cut.
+pub(super) fn cut_of_layers<'a>(
+    sections: impl Iterator<Item = (&'a str, &'a [LayerRow])>,
+) -> Vec<(String, Vec<String>)> {
     let mut worst: Vec<(&str, f64, Vec<String>)> = Vec::new();
-    for station in &span.stations {
-        for row in &station.layers {
+    for (name, layers) in sections {
+        for row in layers {
             let part = 1.0 - row.meshed / row.nominal;
             if part < CUT {
                 continue;
             }
-            let name = station.properties.name.clone();
             match worst.iter_mut().find(|known| known.0 == row.layer) {
                 Some((_, most, sections)) => {
                     *most = most.max(part);
-                    sections.push(name);
+                    sections.push(name.to_owned());
                 }
-                None => worst.push((&row.layer, part, vec![name])),
+                None => worst.push((&row.layer, part, vec![name.to_owned()])),
             }
         }
     }
-    let remark = |(layer, part, sections): (&str, f64, Vec<String>)| Remark {
-        text: format!(
-            "layer \"{layer}\" is cut where both sides meet, by up to {} % of its area",
-            short((1000.0 * part).round() / 10.0)
-        ),
-        sections,
+    let text = |(layer, part, sections): (&str, f64, Vec<String>)| {
+        let percent = short((1000.0 * part).round() / 10.0);
+        let text = format!(
+            "layer \"{layer}\" is cut where both sides meet, by up to {percent} % of its area"
+        );
+        (text, sections)
     };
-    worst.into_iter().map(remark).collect()
+    worst.into_iter().map(text).collect()
 }
 
 /// Cells of poor shape, as one remark.

@@ -10,7 +10,10 @@ use shared_geom::files::{OutputProblem, make_folder, write_figure, write_whole};
 
 use crate::cli::arguments::WholeBladeArguments;
 use crate::cli::{NOT_REACHED, Stop, Terminal, list};
-use crate::output::{Figures, SolvedSpan, SpanFiles, layers_csv, span_csv, span_plots, span_text};
+use crate::output::{
+    Figures, SolvedSpan, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv,
+    span_plots, span_text,
+};
 
 /// A blade whose sections do not make one.
 #[derive(Debug, thiserror::Error)]
@@ -23,15 +26,28 @@ impl Explain for Unsound {
     }
 }
 
-/// Writes the tables and figures of the solved sections, their report `page`, and the blade in all
-/// formats if `is_written`; otherwise blades of an earlier run are removed.
+/// The results of a run.
+pub(super) struct Results<'a> {
+    pub span: &'a SolvedSpan<'a>,
+    /// The report.
+    pub page: Option<String>,
+    /// Whether the blade is complete.
+    pub is_written: bool,
+    /// The blade with which it is compared.
+    pub other: Option<Blade>,
+}
+
+/// Writes the tables and figures of the solved sections, their report, and the blade in all
+/// formats if it is complete; otherwise blades of an earlier run are removed.
 pub(super) fn write(
-    (span, page): (&SolvedSpan<'_>, Option<String>),
+    results: &Results<'_>,
     files: &SpanFiles,
-    is_written: bool,
     arguments: &WholeBladeArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
+    let Results {
+        span, is_written, ..
+    } = *results;
     let figures = Figures::requested(arguments.no_figures, arguments.svg);
     let blade = span.blade();
     let problems = if is_written {
@@ -43,10 +59,20 @@ pub(super) fn write(
     if is_written {
         write!(terminal.out, "\n{}", span_text(&blade))?;
     }
+    if let Some(other) = &results.other {
+        write!(terminal.out, "\n{}", comparison_text(span, other))?;
+    }
     let mut written = Vec::new();
     let mut lost = Vec::new();
     let done = write_tables(span, files, figures, &mut written)
-        .and_then(|()| write_page(page, files, &mut written))
+        .and_then(|()| {
+            let table = results
+                .other
+                .as_ref()
+                .map(|other| comparison_csv(span, other));
+            write_or_remove(table.as_deref(), files.comparison(), &mut written)
+        })
+        .and_then(|()| write_or_remove(results.page.as_deref(), files.report(), &mut written))
         .and_then(|()| {
             if is_written {
                 write_blade(
@@ -104,16 +130,15 @@ fn write_tables(
     Ok(())
 }
 
-/// Writes the report, or removes the one of an earlier run.
-fn write_page(
-    page: Option<String>,
-    files: &SpanFiles,
+/// Writes a file, or removes the one of an earlier run.
+fn write_or_remove(
+    text: Option<&str>,
+    file: PathBuf,
     written: &mut Vec<PathBuf>,
 ) -> Result<(), OutputProblem> {
-    let file = files.report();
-    match page {
-        Some(page) => {
-            write_whole(&file, &page)?;
+    match text {
+        Some(text) => {
+            write_whole(&file, text)?;
             written.push(file);
         }
         // A missing file is ignored.

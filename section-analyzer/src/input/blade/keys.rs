@@ -248,11 +248,11 @@ impl Declared for Name {}
 impl Value for Name {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         let text = table.text(key.name)?;
-        let fits = |letter: char| letter.is_alphanumeric() || "-_+.".contains(letter);
+        let fits = |letter: char| letter.is_alphanumeric() || "-_+./".contains(letter);
         if text.is_empty() || !text.chars().all(fits) {
             table.wrong(
                 key,
-                "a name of letters, digits, \"-\", \"_\", \"+\" and \".\"",
+                "a name of letters, digits, \"-\", \"_\", \"+\", \".\" and \"/\"",
             );
             return None;
         }

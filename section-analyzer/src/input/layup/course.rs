@@ -20,24 +20,62 @@
 //! - F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic
 //!   interpolants", SIAM Journal on Scientific and Statistical Computing 5, 1984.
 
-use shared_geom::document::schema::KeySchema;
-use shared_geom::document::schema::ValueKind::{FreeMatrix, Quantities, Word};
+use shared_geom::document::schema::ValueKind::{Boolean, FreeMatrix, Quantities, Text, Word};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
 use shared_geom::document::{ByHand, Declared, Table, Value};
+use shared_geom::error::Diagnostics;
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::super::column_table::ColumnTable;
+use super::problem::LayupFileProblem;
+
+/// A quantity along the span.
+pub(super) const COURSE: TableSchema = TableSchema {
+    title: "{ eta = [...], value = [...] }",
+    meaning: "A quantity along the span; outside of its range a layer or web is absent, and all else \
+              has the value of the nearest end.",
+    keys: &[HOLD.schema, COURSE_KIND.schema],
+    families: &[
+        Family {
+            name: "eta",
+            meaning: "Values at parts of the length.",
+            keys: &[ETA.schema, VALUE.schema],
+        },
+        Family {
+            name: "span",
+            meaning: "Values at lengths from the root along the line.",
+            keys: &[SPAN.schema, VALUE.schema],
+        },
+        Family {
+            name: "file",
+            meaning: "Columns of a table: `eta` or `span [m]`, and the values; commas separate its \
+                      cells, numbers without a unit are in SI units.",
+            keys: &[FILE.schema, COLUMN.schema],
+        },
+    ],
+};
+
 keys! {
-    /// A quantity along the span; outside of its range a layer or web is absent, and all else has
-    /// the value of the nearest end.
-    pub(super) COURSE = "{ eta = [...], value = [...] }";
     /// Positions along the span, ascending, 0 at the root to 1 at the tip.
     ETA: ByHand = "eta", [Quantities(Dimension::NUMBER)], required, "[0, 0.2, 1]";
+    /// Lengths from the root along the line, ascending.
+    SPAN: ByHand = "span", [Quantities(Dimension::LENGTH)], required, "[0, 12, 60]";
     /// The values there.
     VALUE: ByHand = "value", [FreeMatrix], required, "[3.5, 4.6, 1]";
+    /// Table with named columns, from the folder of this file.
+    FILE: String = "file", [Text], required, "\"blade.csv\"";
+    /// The column of the values.
+    COLUMN: String = "column", [Text], required, "\"cap [mm]\"";
+    /// Whether a layer is present beyond the positions too, with the value of the nearest end.
+    HOLD: bool = "hold", [Boolean], or "false" = false, "true";
     /// Between the positions: monotone cubics, straight lines, or the value of the position before.
     COURSE_KIND: usize = "course", [Word(&WORDS)],
         or "\"monotone\"" = 0, "\"linear\"";
 }
+
+/// Steps of the search for changes of whole numbers.
+const ROUND_STEPS: usize = 2000;
 
 /// The words of the kinds, in their order.
 const WORDS: [&str; 3] = ["monotone", "linear", "constant"];
@@ -56,25 +94,91 @@ pub struct Course {
     eta: Vec<f64>,
     value: Vec<f64>,
     kind: Kind,
+    /// Whether the end values continue beyond the table.
+    is_held: bool,
+    /// Whether the positions are lengths \[m\].
+    in_lengths: bool,
 }
 
 impl Course {
+    fn new(eta: Vec<f64>, value: Vec<f64>, kind: Kind) -> Self {
+        Self {
+            eta,
+            value,
+            kind,
+            is_held: false,
+            in_lengths: false,
+        }
+    }
+
     /// One value.
     pub fn constant(value: f64) -> Self {
-        Self {
-            eta: vec![0.0],
-            value: vec![value],
-            kind: Kind::Constant,
-        }
+        Self::new(vec![0.0], vec![value], Kind::Constant)
     }
 
     /// Monotone cubics through values at ascending positions.
     pub fn monotone(eta: Vec<f64>, value: Vec<f64>) -> Self {
-        Self {
-            eta,
-            value,
-            kind: Kind::Monotone,
+        Self::new(eta, value, Kind::Monotone)
+    }
+
+    /// The quantity in whole numbers, times `factor`: constant between positions at which the
+    /// whole number changes.
+    pub fn rounded(&self, factor: f64) -> Self {
+        let whole = |eta: f64| factor * self.at(eta).round();
+        let Some((&first, &last)) = self.positions().first().zip(self.positions().last()) else {
+            return Self::constant(factor * self.value[0].round());
+        };
+        let (mut eta, mut value) = (vec![first], vec![whole(first)]);
+        let at = |i: usize| first + (last - first) * i as f64 / ROUND_STEPS as f64;
+        for i in 0..ROUND_STEPS {
+            let (mut low, mut high) = (at(i), at(i + 1));
+            if whole(low) == whole(high) {
+                continue;
+            }
+            for _ in 0..40 {
+                let middle = 0.5 * (low + high);
+                if whole(middle) == whole(at(i)) {
+                    low = middle
+                } else {
+                    high = middle
+                }
+            }
+            eta.push(high);
+            value.push(whole(at(i + 1)));
         }
+        if eta[eta.len() - 1] < last {
+            eta.push(last);
+            value.push(whole(last));
+        }
+        Self {
+            is_held: self.is_held,
+            in_lengths: self.in_lengths,
+            ..Self::new(eta, value, Kind::Constant)
+        }
+    }
+
+    /// Whether the positions are lengths, which are to be divided by the length of the line.
+    pub(super) fn is_in_lengths(&self) -> bool {
+        self.in_lengths
+    }
+
+    /// Divides positions that are lengths by the length of the line \[m\].
+    pub(super) fn divide_lengths(&mut self, length: f64) {
+        if std::mem::take(&mut self.in_lengths) {
+            for eta in &mut self.eta {
+                *eta /= length;
+            }
+        }
+    }
+
+    /// Whether the end values continue beyond the table.
+    pub fn is_held(&self) -> bool {
+        self.is_held
+    }
+
+    /// Whether a table is one of positions and values.
+    pub(super) fn has_positions(table: &Table<'_>) -> bool {
+        [&ETA, &SPAN, &VALUE].iter().any(|key| table.has(key)) || table.has(&FILE)
     }
 
     /// The sum with `factor` times another one: monotone cubics through the sums at the positions
@@ -88,7 +192,10 @@ impl Course {
         eta.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
         let sum = |eta: &f64| self.at(*eta) + factor * other.at(*eta);
         let value = eta.iter().map(sum).collect();
-        Self::monotone(eta, value)
+        Self {
+            in_lengths: self.in_lengths || other.in_lengths,
+            ..Self::monotone(eta, value)
+        }
     }
 
     /// The quantity with other values at the same positions.
@@ -110,11 +217,7 @@ impl Course {
         let inside = all.iter().copied().filter(|eta| *eta > from && *eta < to);
         let eta: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
         let value = eta.iter().map(|eta| self.at(*eta)).collect();
-        Self {
-            eta,
-            value,
-            kind: self.kind,
-        }
+        Self::new(eta, value, self.kind)
     }
 
     /// The word of the course between positions.
@@ -130,7 +233,7 @@ impl Course {
     /// Whether a position is within the table; one value is everywhere.
     pub fn covers(&self, eta: f64) -> bool {
         let last = self.eta.len() - 1;
-        last == 0 || (eta >= self.eta[0] - 1e-12 && eta <= self.eta[last] + 1e-12)
+        last == 0 || self.is_held || (eta >= self.eta[0] - 1e-12 && eta <= self.eta[last] + 1e-12)
     }
 
     /// The value at a position; beyond the table the value at its end.
@@ -208,26 +311,98 @@ impl Value for Course {
             return table.quantity(key.name, dimension).map(Self::constant);
         }
         let inner = table.table(key)?.described(&COURSE);
-        let eta = inner
-            .require_item(&ETA, "positions along the span")
-            .and_then(|_| inner.quantities(ETA.name(), Dimension::NUMBER));
-        let value = inner
-            .require_item(&VALUE, "the values at these positions")
-            .and_then(|_| inner.quantities(VALUE.name(), dimension));
-        let kind = inner.get(&COURSE_KIND);
-        inner.finish();
-        let (eta, value, kind) = (eta?, value?, kind?);
-        if eta.len() != value.len() || eta.is_empty() {
-            let expected = format!("as many values as positions: {} of \"eta\"", eta.len());
-            inner.wrong(&VALUE, &expected);
+        let (kind, is_held) = (inner.get(&COURSE_KIND), inner.get(&HOLD));
+        let lists = [&ETA, &SPAN, &VALUE].map(|key| inner.has(key));
+        if lists[0] && lists[1] || inner.has(&FILE) && lists.contains(&true) {
+            inner.note("", &LayupFileProblem::Positions);
             return None;
         }
+        let points = if inner.has(&FILE) {
+            of_file(&inner, dimension)
+        } else {
+            of_lists(&inner, dimension)
+        };
+        inner.finish();
+        let (kind, is_held, (positions, value)) = (kind?, is_held?, points?);
+        let in_lengths = positions.in_lengths;
+        let eta = positions.all;
         let is_ascending = eta.windows(2).all(|pair| pair[1] > pair[0]);
-        if !is_ascending || eta[0] < 0.0 || eta[eta.len() - 1] > 1.0 {
-            inner.wrong(&ETA, "ascending positions from 0 to 1");
+        let most = if in_lengths { f64::INFINITY } else { 1.0 };
+        if !is_ascending || eta[0] < 0.0 || eta[eta.len() - 1] > most {
+            let key = [&ETA, &SPAN].into_iter().find(|key| inner.has(key));
+            let expected = if in_lengths {
+                "ascending lengths from 0"
+            } else {
+                "ascending positions from 0 to 1"
+            };
+            inner.wrong(key.map_or(FILE.name(), |key| key.name()), expected);
             return None;
         }
         let kind = [Kind::Monotone, Kind::Linear, Kind::Constant][kind];
-        Some(Self { eta, value, kind })
+        Some(Self {
+            is_held,
+            in_lengths,
+            ..Self::new(eta, value, kind)
+        })
     }
+}
+
+/// Positions of a table, one or more.
+struct Positions {
+    all: Vec<f64>,
+    in_lengths: bool,
+}
+
+/// The lists of a table; notes problems.
+fn of_lists(inner: &Table<'_>, dimension: Dimension) -> Option<(Positions, Vec<f64>)> {
+    let in_lengths = inner.has(&SPAN);
+    let (key, of) = if in_lengths {
+        (&SPAN, Dimension::LENGTH)
+    } else {
+        (&ETA, Dimension::NUMBER)
+    };
+    let eta = inner
+        .require_item(key, "positions along the span")
+        .and_then(|_| inner.quantities(key.name(), of));
+    let value = inner
+        .require_item(&VALUE, "the values at these positions")
+        .and_then(|_| inner.quantities(VALUE.name(), dimension));
+    let (all, value) = (eta?, value?);
+    if all.len() != value.len() || all.is_empty() {
+        let expected = format!(
+            "as many values as positions: {} of \"{}\"",
+            all.len(),
+            key.name()
+        );
+        inner.wrong(&VALUE, &expected);
+        return None;
+    }
+    Some((Positions { all, in_lengths }, value))
+}
+
+/// The columns of a file; notes problems.
+fn of_file(inner: &Table<'_>, dimension: Dimension) -> Option<(Positions, Vec<f64>)> {
+    const REMEDY: &str = "positions are in a column eta or span [m]";
+    let (file, column) = (inner.get(&FILE)?, inner.get(&COLUMN));
+    let path = inner.existing(&FILE, &file)?;
+    let read = || -> Result<(Positions, Vec<f64>), Diagnostics> {
+        let table = ColumnTable::read(&path, REMEDY)?;
+        let in_lengths = table.index("eta").is_none() && table.index("span").is_some();
+        let (position, of) = if in_lengths {
+            ("span", Dimension::LENGTH)
+        } else {
+            ("eta", Dimension::NUMBER)
+        };
+        let [at, value] = table.require([position, column.as_deref().unwrap_or_default()])?;
+        let numbers = |column: usize, dimension: Dimension| {
+            let factor = table.factor(column, dimension)?;
+            let rows = table.rows.iter();
+            rows.map(|row| Ok(factor * table.number(row, column)?))
+                .collect::<Result<Vec<f64>, Diagnostics>>()
+        };
+        let all = numbers(at, of)?;
+        Ok((Positions { all, in_lengths }, numbers(value, dimension)?))
+    };
+    column.as_ref()?;
+    inner.keep_file(FILE.name(), read())
 }

@@ -2,11 +2,11 @@
 
 use shared_geom::blade::LINE_TABLE;
 use shared_geom::document::schema::ValueKind::{
-    Boolean, FreeMatrix, Numbers, Positive, Quantities, Quantity, Table as OneTable, Tables, Text,
-    Word,
+    Boolean, FreeMatrix, NamedTables, Numbers, Positive, Quantities, Quantity, Table as OneTable,
+    Tables, Text, Word,
 };
 use shared_geom::document::schema::{Family, TableSchema, UNITS};
-use shared_geom::document::{ByHand, Nested, NestedList};
+use shared_geom::document::{ByHand, Nested, NestedByName, NestedList};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -15,7 +15,8 @@ use super::super::materials::MATERIALS;
 use super::super::regions::Angle;
 use super::TOWARDS;
 use super::course::{COURSE, Course};
-use super::place::{PLACE, Place};
+use super::place::{BOTH, BothSides, PLACE, Place};
+use super::taper::Taper;
 
 keys! {
     /// The layup of a blade, or of one section: its shape, layers, webs and materials.
@@ -28,6 +29,8 @@ keys! {
     /// The layers of the shell, from the outside in.
     pub(super) LAYERS: NestedList = "layer", [Tables(&LAYER)] as "one [[layer]] or more", required,
         "";
+    /// Places on the contour by name, for `from`, `to` and webs.
+    pub(super) PLACES: NestedByName = "place", [NamedTables(&PLACE)], optional, "";
     /// The webs.
     pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
     /// The reference line of the blade, on which the origins of the sections are; its length is the
@@ -132,9 +135,41 @@ keys! {
     pub(super) CIRCLE: bool = "circle", [Boolean], required, "true";
 }
 
+const LAYER: TableSchema = TableSchema {
+    title: "[[layer]]",
+    meaning: "A layer of the shell.",
+    keys: &[
+        NAME.schema,
+        MATERIAL.schema,
+        FROM.schema,
+        TO.schema,
+        TAPER.schema,
+    ],
+    families: &[
+        Family {
+            name: "thickness",
+            meaning: "By its thickness.",
+            keys: &[THICKNESS.schema, FIBER_ANGLE.schema, TOWARD.schema],
+        },
+        Family {
+            name: "count",
+            meaning: "By its number of plies of the `ply_thickness` of the material.",
+            keys: &[
+                COUNT.schema,
+                ROUND.schema,
+                FIBER_ANGLE.schema,
+                TOWARD.schema,
+            ],
+        },
+        Family {
+            name: "plies",
+            meaning: "By the angles of its plies of the `ply_thickness` of the material.",
+            keys: &[ANGLES.schema, TOWARD.schema],
+        },
+    ],
+};
+
 keys! {
-    /// A layer of the shell.
-    pub(super) LAYER = "[[layer]]";
     /// Its name, and the physical surface of its cells.
     pub(super) NAME: Name = "name", [Text] as "a name", required, "\"cap_suction\"";
     /// Its material.
@@ -142,6 +177,14 @@ keys! {
     /// Its thickness; below 1e-6 m it is absent.
     pub(super) THICKNESS: Course = "thickness", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         required, "\"3 mm\"";
+    /// Its number of plies.
+    pub(super) COUNT: Course = "count", [Quantity(Dimension::NUMBER), OneTable(&COURSE)],
+        required, "{ eta = [0, 0.3, 1], value = [40, 4, 2] }";
+    /// Whether `count` is rounded to whole plies, so that the thickness jumps along the span.
+    pub(super) ROUND: bool = "round", [Boolean], or "true" = true, "false";
+    /// The angles of the fibers of its plies, from the outside in; they are the layers NAME/1, NAME/2
+    /// and so on.
+    pub(super) ANGLES: ByHand = "plies", [Quantities(Dimension::ANGLE)], required, "[45, -45]";
     /// Angle of the fiber from x, toward the leading edge on both sides; in webs toward the suction
     /// side.
     pub(super) FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
@@ -156,13 +199,31 @@ keys! {
     /// Where it ends.
     pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
-    /// Length over which its thickness drops to zero at its ends; about the thickness without it.
-    pub(super) TAPER: Option<f64> = "taper", [Positive(Dimension::LENGTH)], optional, "\"80 mm\"";
+    /// Length over which its thickness drops to zero at its ends, or its thickness over this
+    /// length; about the thickness without it.
+    pub(super) TAPER: Option<Taper> = "taper", [Positive(Dimension::LENGTH), Text], optional,
+        "\"1:20\"";
 }
 
+const WEB: TableSchema = TableSchema {
+    title: "[[web]]",
+    meaning: "A web between both sides.",
+    keys: &[WEB_NAME.schema, RANGE.schema, PLIES.schema],
+    families: &[
+        Family {
+            name: "places",
+            meaning: "By its places on both sides.",
+            keys: &[SUCTION.schema, PRESSURE.schema],
+        },
+        Family {
+            name: "plane",
+            meaning: "By its plane.",
+            keys: &[PLANE_OF_WEB.schema],
+        },
+    ],
+};
+
 keys! {
-    /// A web between both sides.
-    pub(super) WEB = "[[web]]";
     /// Its name.
     pub(super) WEB_NAME: Name = "name", [Text] as "a name", required, "\"front_web\"";
     /// Its place on the suction side.
@@ -171,6 +232,8 @@ keys! {
     /// Its place on the pressure side.
     pub(super) PRESSURE: Place = "pressure", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         required, "0.68";
+    /// Its plane.
+    pub(super) PLANE_OF_WEB: BothSides = "at", [OneTable(&BOTH)], required, "{ x = 0.3 }";
     /// First and last position along the span.
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
     /// Its plies, from the leading edge aft; each is a layer without places.
@@ -181,13 +244,19 @@ keys! {
 const PLY: TableSchema = TableSchema {
     title: "plies",
     meaning: "A ply of a web.",
-    keys: &[
-        NAME.schema,
-        MATERIAL.schema,
-        THICKNESS.schema,
-        FIBER_ANGLE.schema,
+    keys: &[NAME.schema, MATERIAL.schema, FIBER_ANGLE.schema],
+    families: &[
+        Family {
+            name: "thickness",
+            meaning: "By its thickness.",
+            keys: &[THICKNESS.schema],
+        },
+        Family {
+            name: "count",
+            meaning: "By its number of plies of the `ply_thickness` of the material.",
+            keys: &[COUNT.schema, ROUND.schema],
+        },
     ],
-    families: &[],
 };
 
 keys! {

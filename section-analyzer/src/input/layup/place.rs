@@ -1,12 +1,13 @@
 //! Places on the contour.
 
-use shared_geom::document::schema::KeySchema;
 use shared_geom::document::schema::ValueKind::{Quantity, Table as OneTable, Text, Word};
+use shared_geom::document::schema::{Family, KeySchema, TableSchema};
 use shared_geom::document::{Declared, Table, Value};
 use shared_geom::keys;
-use shared_geom::units::Dimension;
+use shared_geom::units::{Dimension, parse_quantity};
 
 use super::course::{COURSE, Course};
+use super::problem::LayupFileProblem;
 
 /// Sides of a contour.
 pub const SIDES: [&str; 2] = ["suction", "pressure"];
@@ -14,7 +15,10 @@ pub const SIDES: [&str; 2] = ["suction", "pressure"];
 keys! {
     /// A place on the contour. As a number it is the part of the contour from the trailing edge
     /// over the suction side (0), the nose (about 0.5) and the pressure side (1); as a text,
-    /// `nose`, `LAYER.start`, `LAYER.end`, `WEB.suction` or `WEB.pressure`.
+    /// `nose`, `leading_edge`, `base.suction`, `base.pressure`, `LAYER.start`, `LAYER.end`,
+    /// `WEB.suction`, `WEB.pressure`, for the faces of a web `WEB.suction.fore` and so on (`aft`),
+    /// or the NAME of `[place.NAME]`; with a shift, `cap.end + 40 mm`, or `nose - 0.02` for a part
+    /// of the contour.
     pub(super) PLACE = "place";
     /// Part of the contour.
     ARC: Option<Course> = "arc", [Quantity(Dimension::NUMBER), OneTable(&COURSE)], optional,
@@ -31,13 +35,40 @@ keys! {
     /// Angle of the plane from the normal of the chord line, its suction side aft.
     ANGLE: Course = "angle", [Quantity(Dimension::ANGLE), OneTable(&COURSE)],
         or "0" = Course::constant(0.0), "\"3 deg\"";
-    /// A place by its name.
+    /// A place by its name, as in the text.
     AT: Option<String> = "at", [Text], optional, "\"cap_suction.end\"";
     /// The side of `x`, `distance` and `plane`.
     SIDE: Option<usize> = "side", [Word(&SIDES)], optional, "\"suction\"";
     /// Length along the contour that is added, in its direction.
     SHIFT: Course = "shift", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         or "0" = Course::constant(0.0), "\"40 mm\"";
+}
+
+/// The plane of a web.
+pub(super) const BOTH: TableSchema = TableSchema {
+    title: "plane of a web",
+    meaning: "The plane of a web, which meets both sides.",
+    keys: &[],
+    families: &[
+        Family {
+            name: "x",
+            meaning: "Normal to the chord line.",
+            keys: &[X_OF_WEB.schema],
+        },
+        Family {
+            name: "plane",
+            meaning: "At a distance behind the origin, also inclined.",
+            keys: &[PLANE_OF_WEB.schema, ANGLE.schema],
+        },
+    ],
+};
+
+keys! {
+    /// Part of the chord.
+    X_OF_WEB: Course = "x", [Quantity(Dimension::NUMBER), OneTable(&COURSE)], required, "0.3";
+    /// Distance of the plane behind the origin.
+    PLANE_OF_WEB: Course = "plane", [Quantity(Dimension::LENGTH), OneTable(&COURSE)], required,
+        "\"-0.35 m\"";
 }
 
 /// A place on the contour.
@@ -47,6 +78,8 @@ pub struct Place {
     pub form: PlaceForm,
     /// Length along the contour that is added \[m\].
     pub shift: Course,
+    /// Part of the contour that is added [-].
+    pub part: f64,
 }
 
 /// The forms of a place.
@@ -73,13 +106,54 @@ impl Place {
 
     /// A place without a shift.
     pub fn of(form: PlaceForm) -> Self {
-        let shift = Course::constant(0.0);
-        Self { form, shift }
+        Self {
+            form,
+            shift: Course::constant(0.0),
+            part: 0.0,
+        }
+    }
+
+    /// A place by its name, with or without a shift: `cap.end + 40 mm`, `nose - 0.02`.
+    fn named(text: &str) -> Result<Self, String> {
+        let signs = [(" + ", 1.0), (" - ", -1.0)];
+        let found = signs.map(|(word, sign)| Some((text.rfind(word)?, sign)));
+        let Some((at, sign)) = found.into_iter().flatten().max_by_key(|found| found.0) else {
+            return Ok(Self::of(PlaceForm::Named(text.trim().to_owned())));
+        };
+        let mut place = Self::of(PlaceForm::Named(text[..at].trim().to_owned()));
+        let by = text[at + 3..].trim();
+        match by.parse::<f64>() {
+            Ok(part) if part.is_finite() => place.part = sign * part,
+            _ => {
+                let length = parse_quantity(by, Dimension::LENGTH);
+                let length = length.map_err(|problem| problem.to_string())?;
+                place.shift = Course::constant(sign * length);
+            }
+        }
+        Ok(place)
+    }
+
+    /// The quantities along the span.
+    pub(super) fn courses_mut(&mut self) -> Vec<&mut Course> {
+        let mut all = vec![&mut self.shift];
+        match &mut self.form {
+            PlaceForm::Arc(course) | PlaceForm::X(course, _) | PlaceForm::Distance(course, _) => {
+                all.push(course);
+            }
+            PlaceForm::Plane(course, angle, _) => all.extend([course, angle]),
+            PlaceForm::Named(_) => {}
+        }
+        all
     }
 
     /// The place shifted by `factor` times a length.
     pub fn shifted(mut self, by: &Course, factor: f64) -> Self {
-        self.shift = self.shift.plus(by, factor);
+        let is_zero = self.shift.positions().is_empty() && self.shift.at(0.0) == 0.0;
+        self.shift = if is_zero && factor == 1.0 {
+            by.clone()
+        } else {
+            self.shift.plus(by, factor)
+        };
         self
     }
 
@@ -111,25 +185,45 @@ impl Declared for Place {}
 impl Value for Place {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         if table.is_text(key) {
-            return table.text(key.name).map(PlaceForm::Named).map(Self::of);
+            let made = Self::named(&table.text(key.name)?);
+            let expected = |reason| format!("a place, as \"cap.end + 40 mm\" ({reason})");
+            return made
+                .map_err(|reason| table.wrong(key, &expected(reason)))
+                .ok();
         }
         if !table.is_table(key) {
             return table.quantity(key.name, Dimension::NUMBER).map(Self::arc);
         }
         // a table of positions and values, or of a place
         let inner = table.table(key)?;
-        if inner.has("eta") || inner.has("value") {
+        if Course::has_positions(&inner) {
             return Course::read(table, key).map(PlaceForm::Arc).map(Self::of);
         }
         let inner = inner.described(&PLACE);
+        let place = Self::of_table(&inner);
+        inner.finish();
+        place
+    }
+}
+
+impl Place {
+    /// The place of a table with the keys of [`PLACE`]; notes problems.
+    pub(super) fn of_table(inner: &Table<'_>) -> Option<Self> {
         let side = inner.get(&SIDE);
         let (arc, x) = (inner.get(&ARC), inner.get(&X));
         let (distance, at) = (inner.get(&DISTANCE), inner.get(&AT));
         let (plane, angle) = (inner.get(&PLANE), inner.get(&ANGLE));
         let shift = inner.get(&SHIFT);
-        inner.finish();
         let side = side?;
         let angle = angle?;
+        let named = match at?.map(|name| Self::named(&name)) {
+            Some(Err(reason)) => {
+                inner.wrong(&AT, &format!("a place ({reason})"));
+                return None;
+            }
+            Some(Ok(place)) => Some(place),
+            None => None,
+        };
         let forms = [
             arc?.map(PlaceForm::Arc),
             x?.zip(side).map(|(x, side)| PlaceForm::X(x, side)),
@@ -139,20 +233,46 @@ impl Value for Place {
             plane?
                 .zip(side)
                 .map(|(plane, side)| PlaceForm::Plane(plane, angle, side)),
-            at?.map(PlaceForm::Named),
         ];
         let given = [&ARC, &X, &DISTANCE, &PLANE].iter();
         let given = given.filter(|key| inner.has(key)).count() + usize::from(inner.has(&AT));
-        let form = forms.into_iter().flatten().next();
-        let form = form.filter(|_| given == 1);
+        let form = forms.into_iter().flatten().next().map(Self::of);
+        let form = form.or(named).filter(|_| given == 1);
         if form.is_none() {
-            table.wrong(
-                key,
-                "one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \"x\", \
-                 \"distance\" and \"plane\"",
-            );
+            let problem = LayupFileProblem::Place;
+            inner.note("", &problem);
         }
-        let shift = shift?;
-        form.map(|form| Self { form, shift })
+        Some(form?.shifted(&shift?, 1.0))
+    }
+}
+
+/// A place on each side, suction and pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BothSides(pub [Place; 2]);
+
+impl Declared for BothSides {}
+
+impl Value for BothSides {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let inner = table.table(key)?.described(&BOTH);
+        let forms = match (inner.has(&X_OF_WEB), inner.has(&PLANE_OF_WEB)) {
+            (true, false) => {
+                let x = inner.get(&X_OF_WEB);
+                x.map(|x| [0, 1].map(|side| PlaceForm::X(x.clone(), side)))
+            }
+            (false, true) => {
+                let (plane, angle) = (inner.get(&PLANE_OF_WEB), inner.get(&ANGLE));
+                let form = |(plane, angle): (Course, Course)| {
+                    [0, 1].map(|side| PlaceForm::Plane(plane.clone(), angle.clone(), side))
+                };
+                plane.zip(angle).map(form)
+            }
+            _ => {
+                table.wrong(key, "one of \"x\" and \"plane\"");
+                None
+            }
+        };
+        inner.finish();
+        Some(Self(forms?.map(Place::of)))
     }
 }

@@ -91,6 +91,7 @@ fn section<'x>(
     );
     Some(Layup {
         shape: made.shape,
+        places: Vec::new(),
         layers: made.layers,
         webs: made.webs,
         size: None,

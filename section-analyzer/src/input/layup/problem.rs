@@ -39,6 +39,60 @@ pub enum LayupFileProblem {
         /// Line of the other one.
         line: usize,
     },
+    /// No thickness of a layer, or several.
+    #[error(
+        "layer \"{layer}\" has {found} of \"thickness\", \"count\" and \"plies\", expected one of them"
+    )]
+    Stack {
+        /// The layer.
+        layer: String,
+        /// Number of them.
+        found: usize,
+    },
+    /// Angles of plies and of the layer.
+    #[error(
+        "layer \"{layer}\" has the angles of its plies and \"fiber_angle\", expected one of them"
+    )]
+    Angles {
+        /// The layer.
+        layer: String,
+    },
+    /// Plies of a material without their thickness.
+    #[error(
+        "layer \"{layer}\" is given by plies, and material \"{material}\" has no ply thickness"
+    )]
+    NoPly {
+        /// The layer.
+        layer: String,
+        /// The material.
+        material: String,
+    },
+    /// Places of a web that are missing or doubled.
+    #[error("web \"{web}\": expected \"suction\" and \"pressure\", or \"at\"")]
+    WebPlaces {
+        /// The web.
+        web: String,
+    },
+    /// A place of no form, or of several.
+    #[error(
+        "expected one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \"x\", \
+         \"distance\" and \"plane\""
+    )]
+    Place,
+    /// Positions that are given twice.
+    #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
+    Positions,
+    /// Lengths along the span without a length of the blade.
+    #[error("positions are given by \"span\", expected \"eta\" in a layup without [line]")]
+    NoLine,
+    /// Lengths along the span beyond the blade.
+    #[error("a \"span\" goes to {found} m, expected at most {length} m, the length of the line")]
+    Beyond {
+        /// The largest one \[m\].
+        found: f64,
+        /// The length of the line \[m\].
+        length: f64,
+    },
     /// Places that refer to each other.
     #[error("places go in a circle: {}", .places.join(" -> "))]
     Circle {
@@ -81,6 +135,9 @@ impl Explain for LayupFileProblem {
                     None => Some(format!("the file has {}", quoted(known))),
                 }
             }
+            Self::NoPly { material, .. } => Some(format!(
+                "add ply_thickness to [material.{material}], or give \"thickness\""
+            )),
             Self::Section { problem, .. } => problem.help(),
             _ => None,
         }

@@ -1,6 +1,6 @@
 //! The section at a position along the span: places become arcs.
 
-use super::place::{Place, PlaceForm};
+use super::place::{Place, PlaceForm, SIDES};
 use super::problem::LayupFileProblem;
 use super::{Layup, WrittenLayer, WrittenWeb};
 use crate::mesh::generate::layup::{Layer, LayupSection, Outline, Web, WebPly};
@@ -49,12 +49,13 @@ impl<'a> Resolver<'a> {
             if is_narrow && (is_between || width > -NARROW) {
                 continue;
             }
+            let thickness = layer.thickness.at(self.eta);
             layers.push(Layer {
                 name: layer.name.clone(),
-                thickness: layer.thickness.at(self.eta),
+                thickness,
                 from,
                 to,
-                taper: layer.taper,
+                taper: layer.taper.map(|taper| taper.length(thickness)),
             });
         }
         let mut webs = Vec::new();
@@ -133,7 +134,7 @@ impl<'a> Resolver<'a> {
             }
             PlaceForm::Named(name) => self.named(line, name, places)? * perimeter,
         };
-        let s = s + place.shift.at(eta);
+        let s = s + place.shift.at(eta) + place.part * perimeter;
         if !(s >= -1e-9 * perimeter && s <= perimeter * (1.0 + 1e-9)) {
             return Err(off(format!("arc {}", s / perimeter)));
         }
@@ -141,37 +142,101 @@ impl<'a> Resolver<'a> {
     }
 
     fn named(&self, line: usize, name: &str, places: &mut Vec<String>) -> Result<f64, Located> {
-        match name {
-            "nose" => return Ok(self.outline.nose() / self.outline.perimeter()),
-            "leading_edge" => return Ok(self.outline.foremost() / self.outline.perimeter()),
-            _ => {}
+        let points = self.points();
+        if let Some((_, s)) = points.iter().find(|one| one.0 == name) {
+            return Ok(s / self.outline.perimeter());
         }
         if places.iter().any(|known| known == name) {
             places.push(name.to_owned());
             let places = places.clone();
             return Err((line, LayupFileProblem::Circle { places }));
         }
-        let mut all = vec![("nose".to_owned(), None), ("leading_edge".to_owned(), None)];
-        for layer in &self.layup.layers {
-            all.push((format!("{}.start", layer.name), Some(&layer.from)));
-            all.push((format!("{}.end", layer.name), Some(&layer.to)));
-        }
-        for web in &self.layup.webs {
-            all.push((format!("{}.suction", web.name), Some(&web.places[0])));
-            all.push((format!("{}.pressure", web.name), Some(&web.places[1])));
-        }
-        let found = all.iter().find(|(known, _)| known == name);
-        let Some((_, Some(place))) = found else {
+        let all = self.known();
+        let Some((_, found)) = all.iter().find(|one| one.0 == name) else {
+            let points = points.iter().map(|one| one.0.to_owned());
             let problem = LayupFileProblem::Unknown {
                 kind: "place",
                 found: name.to_owned(),
-                known: all.into_iter().map(|one| one.0).collect(),
+                known: points.chain(all.into_iter().map(|one| one.0)).collect(),
             };
             return Err((line, problem));
         };
         places.push(name.to_owned());
-        let arc = self.arc(line, place, places)?;
+        let arc = match found {
+            Found::Place(place) => self.arc(line, place, places)?,
+            Found::Face(web, side, sign) => {
+                let arcs = [0, 1].map(|side| self.arc(line, &web.places[side], places));
+                let [suction, pressure] = arcs;
+                let face = self.face(web, [suction?, pressure?], (*side, *sign));
+                let off = LayupFileProblem::OffContour {
+                    place: name.to_owned(),
+                    eta: self.eta,
+                };
+                face.ok_or((line, off))?
+            }
+        };
         places.pop();
         Ok(arc)
     }
+
+    /// Arc lengths of points of the contour by their names.
+    fn points(&self) -> [(&'static str, f64); 4] {
+        let outline = &self.outline;
+        let [suction, pressure] = outline.corners();
+        [
+            ("nose", outline.nose()),
+            ("leading_edge", outline.foremost()),
+            ("base.suction", suction),
+            ("base.pressure", pressure),
+        ]
+    }
+
+    /// The places that have names.
+    fn known(&self) -> Vec<(String, Found<'_>)> {
+        let mut all = Vec::new();
+        for layer in &self.layup.layers {
+            // plies of a layer have its places
+            let layer_name = layer.name.split('/').next().unwrap_or_default();
+            let names = [layer.name.as_str(), layer_name];
+            for name in &names[..1 + usize::from(names[0] != names[1])] {
+                all.push((format!("{name}.start"), Found::Place(&layer.from)));
+                all.push((format!("{name}.end"), Found::Place(&layer.to)));
+            }
+        }
+        for web in &self.layup.webs {
+            for (side, word) in SIDES.iter().enumerate() {
+                let name = format!("{}.{word}", web.name);
+                all.push((format!("{name}.fore"), Found::Face(web, side, 1.0)));
+                all.push((format!("{name}.aft"), Found::Face(web, side, -1.0)));
+                all.push((name, Found::Place(&web.places[side])));
+            }
+        }
+        let named = self.layup.places.iter();
+        all.extend(named.map(|(name, place)| (name.clone(), Found::Place(place))));
+        all
+    }
+
+    /// The arc at which the fore face (sign 1) or the aft face (-1) of a web meets a side: its
+    /// plies are parallel to the line between its places.
+    fn face(&self, web: &WrittenWeb, arcs: [f64; 2], (side, sign): (usize, f64)) -> Option<f64> {
+        let perimeter = self.outline.perimeter();
+        let points = arcs.map(|arc| self.outline.position(arc * perimeter));
+        let line = [0, 1].map(|i| points[1][i] - points[0][i]);
+        let height = line[0].hypot(line[1]);
+        let normal = [-line[1] / height, line[0] / height];
+        let plies = web.plies.iter().filter(|ply| self.has(ply));
+        let thickness: f64 = plies.map(|ply| ply.thickness.at(self.eta)).sum();
+        let offset = 0.5 * sign * thickness;
+        let ahead = |p: [f64; 2]| {
+            (p[0] - points[0][0]) * normal[0] + (p[1] - points[0][1]) * normal[1] > offset
+        };
+        Some(self.outline.first_behind(side, ahead)? / perimeter)
+    }
+}
+
+/// A place with a name.
+enum Found<'a> {
+    Place(&'a Place),
+    /// Face of a web on a side, fore 1 or aft -1.
+    Face(&'a WrittenWeb, usize, f64),
 }

@@ -141,6 +141,13 @@ impl Shape {
         self.airfoils.iter().map(|one| (one.at, &one.written))
     }
 
+    /// The quantities along the span.
+    pub(super) fn courses_mut(&mut self) -> Vec<&mut Course> {
+        let mut all = vec![&mut self.chord, &mut self.origin, &mut self.offset];
+        all.extend(&mut self.thickness);
+        all
+    }
+
     /// Positions of the airfoils and of the tables.
     pub fn positions(&self) -> Vec<f64> {
         let mut all: Vec<f64> = match (self.airfoils.len(), &self.thickness) {

@@ -170,6 +170,7 @@ fn blade(
     }
     let layup = Layup {
         shape,
+        places: Vec::new(),
         layers,
         webs,
         size: None,

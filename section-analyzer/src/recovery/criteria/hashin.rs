@@ -27,6 +27,45 @@ pub(super) fn index(limits: &DirectionalLimits, s: &Vector6<f64>) -> Verdict {
     if matrix.1 < fiber.1 { matrix } else { fiber }
 }
 
+/// An upper bound of the inverse of the reserve factor for all stresses from `low` to `high`, each
+/// component by itself: with the largest value of each term of the modes that are possible.
+pub(super) fn bound(limits: &DirectionalLimits, low: &Vector6<f64>, high: &Vector6<f64>) -> f64 {
+    let square = |low: f64, high: f64| (low * low).max(high * high);
+    let most = |i: usize, strength: f64| square(low[i], high[i]) / (strength * strength);
+    let [s23, s13, s12] = limits.shear;
+    let q = most(5, s12) + most(4, s13);
+    let fiber = if high[0] >= 0.0 {
+        ((high[0] / limits.tension[0]).powi(2) + q).sqrt()
+    } else {
+        0.0
+    };
+    let fiber = fiber.max(-low[0] / limits.compression[0]);
+    let shear = most(3, s23) + q;
+    let sums = [low[1] + low[2], high[1] + high[2]];
+    let [yt, yc] = [limits.tension[1], limits.compression[1]];
+    let mut matrix = 0.0_f64;
+    if sums[1] >= 0.0 {
+        let pairs = [(low, low), (low, high), (high, low), (high, high)];
+        let products = pairs.map(|(a, b)| -a[1] * b[2]);
+        let product = products.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let index = (sums[1] / yt).powi(2) + product / (s23 * s23) + shear;
+        matrix = index.max(0.0).sqrt();
+    }
+    if sums[0] < 0.0 {
+        let factor = ((yc / (2.0 * s23)).powi(2) - 1.0) / yc;
+        let sum = if factor > 0.0 {
+            sums[1].min(0.0)
+        } else {
+            sums[0]
+        };
+        let linear = factor * sum;
+        let quadratic = square(low[1] - high[2], high[1] - low[2]) / (2.0 * s23).powi(2) + shear;
+        let root = (linear * linear + 4.0 * quadratic).sqrt();
+        matrix = matrix.max(0.5 * (linear + root));
+    }
+    fiber.max(matrix)
+}
+
 /// Shear along the fiber: q.
 fn axial_shear(limits: &DirectionalLimits, s: &Vector6<f64>) -> f64 {
     (s[5] / limits.shear[2]).powi(2) + (s[4] / limits.shear[1]).powi(2)

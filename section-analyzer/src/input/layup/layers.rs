@@ -1,0 +1,199 @@
+//! Layers and webs as written.
+
+use shared_geom::document::Table;
+use shared_geom::units::Dimension;
+
+use super::course::Course;
+use super::keys::{
+    ANGLES, COUNT, FIBER_ANGLE, FROM, MATERIAL, NAME, PLANE_OF_WEB, PLIES, PRESSURE, RANGE, ROUND,
+    SUCTION, TAPER, THICKNESS, TO, TOWARD, WEB_NAME,
+};
+use super::place::Place;
+use super::problem::LayupFileProblem;
+use super::{Toward, WrittenLayer, WrittenWeb};
+use crate::input::materials::WrittenMaterial;
+
+/// The thickness of a layer.
+enum Stack {
+    Thickness(Course),
+    /// Plies of this thickness \[m\] with these angles of their fibers \[rad\].
+    Plies(f64, Vec<f64>),
+}
+
+/// The materials of a file.
+pub(super) struct Known {
+    names: Vec<String>,
+    /// Thickness of a ply of each, if known \[m\].
+    plies: Vec<Option<f64>>,
+}
+
+impl Known {
+    pub fn new(materials: Vec<WrittenMaterial>) -> Self {
+        let materials = materials.into_iter();
+        let (names, plies) = materials.map(|one| (one.name, one.ply_thickness)).unzip();
+        Self { names, plies }
+    }
+
+    /// A layer of the shell, or each of its plies; notes problems.
+    pub fn layers(&self, table: &Table<'_>) -> Option<Vec<WrittenLayer>> {
+        let name = table.get(&NAME);
+        let places = (table.get(&FROM), table.get(&TO));
+        let (taper, toward) = (table.get(&TAPER), table.get(&TOWARD));
+        let (material, stack) = (self.material(table), self.stack(table, true));
+        let angle = table.get(&FIBER_ANGLE);
+        let (from, to) = (places.0?, places.1?);
+        let layer = |name: String, thickness: Course, fiber_angle: f64| {
+            Some(WrittenLayer {
+                name,
+                material: material.clone()?,
+                thickness,
+                fiber_angle,
+                toward: [Toward::LeadingEdge, Toward::Contour][toward?],
+                from: from.clone(),
+                to: to.clone(),
+                taper: taper?,
+                line: table.line(),
+            })
+        };
+        let name = name?.0;
+        match stack? {
+            Stack::Thickness(thickness) => Some(vec![layer(name, thickness, angle?.0)?]),
+            Stack::Plies(ply, angles) => {
+                let plies = angles.iter().zip(1..).map(|(angle, number)| {
+                    layer(format!("{name}/{number}"), Course::constant(ply), *angle)
+                });
+                plies.collect()
+            }
+        }
+    }
+
+    fn ply(&self, table: &Table<'_>) -> Option<WrittenLayer> {
+        let name = table.get(&NAME);
+        let (material, stack) = (self.material(table), self.stack(table, false));
+        let angle = table.get(&FIBER_ANGLE);
+        let thickness = match stack? {
+            Stack::Thickness(thickness) => thickness,
+            // not of webs
+            Stack::Plies(ply, _) => Course::constant(ply),
+        };
+        Some(WrittenLayer {
+            name: name?.0,
+            material: material?,
+            thickness,
+            fiber_angle: angle?.0,
+            toward: Toward::LeadingEdge,
+            from: Place::arc(0.0),
+            to: Place::arc(1.0),
+            taper: None,
+            line: table.line(),
+        })
+    }
+
+    /// A web; notes problems.
+    pub fn web(&self, table: &Table<'_>) -> Option<WrittenWeb> {
+        let name = table.get(&WEB_NAME);
+        let has_places = table.has(&SUCTION) || table.has(&PRESSURE);
+        let places = match table.has(&PLANE_OF_WEB) {
+            true if has_places => {
+                let web = text(table, WEB_NAME.name());
+                table.note("", &LayupFileProblem::WebPlaces { web });
+                None
+            }
+            true => table.get(&PLANE_OF_WEB).map(|plane| plane.0),
+            false => {
+                let (suction, pressure) = (table.get(&SUCTION), table.get(&PRESSURE));
+                suction
+                    .zip(pressure)
+                    .map(|(suction, pressure)| [suction, pressure])
+            }
+        };
+        let plies = table.each(&PLIES, |ply| self.ply(ply));
+        let range = if table.has(&RANGE) {
+            table.quantities(RANGE.name(), Dimension::NUMBER)
+        } else {
+            Some(vec![0.0, 1.0])
+        };
+        let name = name?.0;
+        let range = match range?[..] {
+            [from, to] if from >= 0.0 && from < to && to <= 1.0 => [from, to],
+            _ => {
+                table.note(&RANGE, &LayupFileProblem::Range { web: name });
+                return None;
+            }
+        };
+        Some(WrittenWeb {
+            name,
+            places: places?,
+            range,
+            plies: plies?,
+            line: table.line(),
+        })
+    }
+
+    /// The name of the material, also if it is unknown, which is noted.
+    fn material(&self, table: &Table<'_>) -> Option<String> {
+        let material = table.get(&MATERIAL)?;
+        if !self.names.contains(&material) {
+            let problem = LayupFileProblem::Unknown {
+                kind: "material",
+                found: material.clone(),
+                known: self.names.clone(),
+            };
+            table.note(&MATERIAL, &problem);
+        }
+        Some(material)
+    }
+
+    fn stack(&self, table: &Table<'_>, of_shell: bool) -> Option<Stack> {
+        let layer = text(table, NAME.name());
+        let angles = of_shell && table.has(&ANGLES);
+        let given = [table.has(&THICKNESS), table.has(&COUNT), angles];
+        let found = given.into_iter().filter(|given| *given).count();
+        if found != 1 {
+            table.note("", &LayupFileProblem::Stack { layer, found });
+            return None;
+        }
+        if table.has(&THICKNESS) {
+            return table.get(&THICKNESS).map(Stack::Thickness);
+        }
+        let (count, round) = if table.has(&COUNT) {
+            let (count, round) = (table.get(&COUNT), table.get(&ROUND));
+            (Some(count?), round?)
+        } else {
+            (None, true)
+        };
+        let angles = if angles {
+            Some(table.quantities(ANGLES.name(), Dimension::ANGLE)?)
+        } else {
+            None
+        };
+        if angles.is_some() && table.has(&FIBER_ANGLE) {
+            table.note(&FIBER_ANGLE, &LayupFileProblem::Angles { layer });
+            return None;
+        }
+        let material = text(table, MATERIAL.name());
+        let known = self.names.iter().position(|name| *name == material)?;
+        let Some(ply) = self.plies[known] else {
+            table.note("", &LayupFileProblem::NoPly { layer, material });
+            return None;
+        };
+        match (count, angles) {
+            (Some(count), _) => Some(Stack::Thickness(if round {
+                count.rounded(ply)
+            } else {
+                count.map(|_, plies| plies * ply)
+            })),
+            (None, Some(angles)) if !angles.is_empty() => Some(Stack::Plies(ply, angles)),
+            _ => {
+                table.wrong(&ANGLES, "one angle or more");
+                None
+            }
+        }
+    }
+}
+
+/// A text, empty if it is none, which has been noted.
+fn text(table: &Table<'_>, key: &str) -> String {
+    let text = table.is_text(key).then(|| table.text(key));
+    text.flatten().unwrap_or_default()
+}

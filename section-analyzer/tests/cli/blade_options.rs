@@ -1,0 +1,84 @@
+//! `section-analyzer blade --check` and `--compare`.
+
+use crate::whole_blade::LAYUP;
+use crate::workplace::{Run, Workplace};
+
+fn workplace(text: &str) -> Workplace {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", text);
+    workplace
+}
+
+fn blade(workplace: &Workplace, more: &[&str]) -> Run {
+    workplace.run(&[&["blade", "a.layup.toml", "--out", "b"], more].concat())
+}
+
+/// Nothing is written; a station that cannot be meshed is reported as in a run that solves.
+#[test]
+fn check_meshes_and_writes_nothing() {
+    let place = workplace(LAYUP);
+    let check = ["blade", "a.layup.toml", "--stations", "0.2,0.8", "--check"];
+    let run = place.run(&check);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    assert_eq!(run.out.matches(" sound ").count(), 3, "{}", run.out);
+    assert!(!place.path("results").exists());
+    let thick = LAYUP.replace(
+        "thickness = 1.5",
+        "thickness = { eta = [0, 1], value = [1.5, 60] }",
+    );
+    place.write("a.layup.toml", &thick);
+    let run = place.run(&check);
+    assert_eq!(run.code, 1);
+    assert!(run.err.contains("eta 0.8"), "{}", run.err);
+    let run = place.run(&[&check[..], &["--report"]].concat());
+    assert_eq!(run.code, 2);
+}
+
+/// A blade beside itself in another format, and beside the same with a thicker cap.
+#[test]
+fn differences_from_another_blade_are_listed() {
+    let place = workplace(LAYUP);
+    let stations = ["--stations", "0.2,0.7", "--no-figures"];
+    let run = blade(&place, &[&stations[..], &["--format", "beamdyn"]].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    std::fs::rename(place.path("b/beamdyn"), place.path("other")).unwrap();
+    let other = std::fs::read_dir(place.path("other")).unwrap();
+    let mut other = other.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let main = other
+        .find(|name| !name.contains("blade"))
+        .unwrap_or_default();
+    let other = format!("other/{main}");
+    let same = blade(&place, &[&stations[..], &["--compare", &other]].concat());
+    assert_eq!((same.code, same.err.as_str()), (0, ""));
+    let differences = |column: &str| -> Vec<f64> {
+        let text = place.read("b/a.compare.csv");
+        let mut lines = text.lines();
+        let names = lines.next().unwrap().split(',');
+        let at = names.clone().position(|name| name == column).unwrap();
+        lines
+            .map(|line| line.split(',').nth(at).unwrap().parse().unwrap())
+            .collect()
+    };
+    for column in ["mass", "ea", "ei_flap", "ei_edge", "gj"] {
+        let found = differences(&format!("{column}_difference [%]"));
+        assert!(
+            found.len() == 2 && found.iter().all(|part| part.abs() < 1e-8),
+            "{found:?}"
+        );
+    }
+    place.write(
+        "a.layup.toml",
+        &LAYUP.replace("value = [4, 2]", "value = [5, 3]"),
+    );
+    let changed = blade(&place, &[&stations[..], &["--compare", &other]].concat());
+    assert_eq!(changed.code, 0);
+    assert!(
+        differences("ei_flap_difference [%]")
+            .iter()
+            .all(|part| *part > 1.0)
+    );
+    assert!(changed.out.contains("Differences from"), "{}", changed.out);
+    // without the option the table is removed
+    assert_eq!(blade(&place, &stations).code, 0);
+    assert!(!place.path("b/a.compare.csv").exists());
+}

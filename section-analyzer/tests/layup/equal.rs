@@ -1,0 +1,160 @@
+//! A section of the generator of `mesh blade`, as a layup: equal within the errors of both meshes.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Matrix6;
+use section_analyzer::analysis::{analyze, discretization_error};
+use section_analyzer::material::{ElasticLaw, Material};
+use section_analyzer::mesh::SectionMesh;
+use section_analyzer::mesh::generate::blade::{Blade, Contour, Cores, Ply, Sizes, Spar, SparPly};
+use section_analyzer::mesh::generate::layup::{Layer, LayupSection, Web, WebPly};
+use section_analyzer::section::{CellMaterial, Section};
+use shared_geom::error::SourceLocation;
+use shared_geom::mesh::Mesh;
+use shared_geom::section::InitialCurvature;
+
+/// Stiffness of a section, and the estimate of its error.
+fn solved(section: &Section) -> [Matrix6<f64>; 2] {
+    let stiffness = analyze(section).expect("a solution").stiffness;
+    let error = discretization_error(section, &stiffness).expect("an estimate");
+    [stiffness, error.stiffness]
+}
+
+/// The largest difference of two stiffnesses, and the largest sum of both errors, of sqrt(Kii Kjj).
+fn compare([a, error_a]: [Matrix6<f64>; 2], [b, error_b]: [Matrix6<f64>; 2]) -> [f64; 2] {
+    let largest = |m: Matrix6<f64>| {
+        let scaled = Matrix6::from_fn(|i, j| m[(i, j)] / (b[(i, i)] * b[(j, j)]).sqrt());
+        scaled.amax()
+    };
+    [largest(a - b), largest(error_a.abs() + error_b.abs())]
+}
+
+fn uniform(mesh: &Mesh) -> Section {
+    let place = SourceLocation::file("test");
+    let (mesh, _) = SectionMesh::from_mesh(mesh, 1.0, &place).expect("a sound mesh");
+    let cell = CellMaterial {
+        material: 0,
+        fiber_angle: 0.0,
+        plane_angle: 0.0,
+    };
+    Section {
+        name: "uniform".into(),
+        cells: vec![cell; mesh.cells.len()],
+        mesh,
+        materials: vec![Material {
+            name: "metal".into(),
+            law: ElasticLaw::Isotropic {
+                young: 2.6,
+                poisson: 0.3,
+            },
+            density: 1.0,
+            expansion: None,
+            electric: None,
+        }],
+        initial_curvature: InitialCurvature::STRAIGHT,
+        electrodes: Vec::new(),
+    }
+}
+
+/// Half axes, thickness of the skin and of the plies of the spar, outer faces of the webs.
+const AXES: [f64; 2] = [0.5, 0.2];
+const WALLS: [f64; 2] = [1e-3, 3e-3];
+const WEBS: f64 = 0.3;
+const SIZE: f64 = 0.01;
+
+fn ellipse(i: usize) -> [f64; 2] {
+    let angle = TAU * i as f64 / 200.0;
+    [AXES[0] * angle.cos(), AXES[1] * angle.sin()]
+}
+
+/// An elliptic tube with a box-spar, whose torsion `tests/section` compares with Bredt's theory.
+fn of_blade() -> Section {
+    let [skin, wall] = WALLS;
+    let points: Vec<[f64; 2]> = (0..=200).map(ellipse).map(|[x, z]| [0.5 + x, z]).collect();
+    let ply = |name: &str, thickness: f64| Ply {
+        name: name.into(),
+        thickness,
+        cells: 1,
+        has_faces: false,
+    };
+    let all = Some([f64::NEG_INFINITY, f64::INFINITY]);
+    let blade = Blade {
+        contour: Contour::new(&points, 1.0, 0.5, 1.0).expect("an ellipse"),
+        skin: vec![ply("skin", skin)],
+        is_closed: true,
+        spar: Some(Spar {
+            front_web: Some(0.5 - WEBS),
+            rear_web: 0.5 + WEBS,
+            plies: vec![SparPly {
+                ply: ply("spar", wall),
+                upper: all,
+                lower: all,
+                webs: [true; 2],
+                filler: None,
+            }],
+        }),
+        cores: Cores::default(),
+        sizes: Sizes::new(SIZE),
+    };
+    uniform(&blade.generate().expect("a mesh"))
+}
+
+/// The same as a layup.
+fn of_layup() -> Section {
+    let [skin, wall] = WALLS;
+    let contour: Vec<[f64; 2]> = (0..=200).map(ellipse).map(|[x, z]| [-x, z]).collect();
+    // arcs of the positions of the webs, by many chords
+    let arc = |y: f64| {
+        const STEPS: usize = 200_000;
+        let at = |i: usize| {
+            let angle = TAU * i as f64 / STEPS as f64;
+            [-AXES[0] * angle.cos(), AXES[1] * angle.sin()]
+        };
+        let (mut sum, mut found) = (0.0, 0.0);
+        for i in 0..STEPS {
+            let [p, q] = [at(i), at(i + 1)];
+            if i < STEPS / 2 && q[0] < y {
+                found = sum;
+            }
+            sum += (p[0] - q[0]).hypot(p[1] - q[1]);
+        }
+        found / sum
+    };
+    let layer = |name: &str, thickness: f64, [from, to]: [f64; 2]| Layer {
+        name: name.into(),
+        thickness,
+        from,
+        to,
+        taper: Some(0.1 * thickness),
+    };
+    let ends = [arc(-WEBS), arc(WEBS)];
+    let web = |name: &str, y: f64| Web {
+        name: name.into(),
+        arcs: [arc(y), 1.0 - arc(y)],
+        plies: vec![WebPly {
+            name: format!("{name}_ply"),
+            thickness: wall,
+        }],
+    };
+    let layup = LayupSection {
+        contour,
+        layers: vec![
+            layer("skin", skin, [0.0, 1.0]),
+            layer("upper", wall, ends),
+            layer("lower", wall, [1.0 - ends[1], 1.0 - ends[0]]),
+        ],
+        webs: vec![
+            web("fore", WEBS - 0.5 * wall),
+            web("aft", -WEBS + 0.5 * wall),
+        ],
+        size: Some(SIZE),
+    };
+    uniform(&layup.generate().expect("a mesh").mesh)
+}
+
+#[test]
+fn a_box_spar_is_the_same_by_both_generators() {
+    let [difference, error] = compare(solved(&of_layup()), solved(&of_blade()));
+    println!("box-spar: difference {difference:e}, errors {error:e}");
+    assert!(difference < error, "{difference:e} {error:e}");
+}

@@ -1,0 +1,244 @@
+//! Keys of layup files that give the same layup in other words.
+
+use std::path::Path;
+
+use section_analyzer::input::layup::{self, Layup};
+use section_analyzer::mesh::generate::layup::LayupSection;
+use section_analyzer::output::layup_file;
+
+const TEXT: &str = "\
+units = \"SI\"
+[line]
+length = 50
+[shape]
+chord = { span = [0, 25, 50], value = [2, 2, 1], course = \"linear\" }
+origin = 0.25
+naca = \"0018\"
+[place.cap_rear]
+x = 0.45
+side = \"suction\"
+[[layer]]
+name = \"skin\"
+material = \"glass\"
+plies = [\"45 deg\", \"-45 deg\"]
+[[layer]]
+name = \"cap\"
+material = \"glass\"
+count = { eta = [0, 0.5, 1], value = [10, 4, 4], course = \"linear\" }
+from = \"cap_rear + 40 mm\"
+to = \"cap.start + 0.3 m\"
+taper = \"1:20\"
+[[layer]]
+name = \"patch\"
+material = \"glass\"
+thickness = { eta = [0.2, 0.4], value = [0.001, 0.001], hold = true }
+from = \"web.suction.fore + 20 mm\"
+to = \"nose - 0.02\"
+[[layer]]
+name = \"tape\"
+material = \"glass\"
+thickness = { file = \"t.csv\", column = \"tape\" }
+from = \"base.suction\"
+to = \"base.suction + 0.1 m\"
+[[web]]
+name = \"web\"
+at = { x = 0.3 }
+plies = [{ name = \"ply\", material = \"glass\", count = 20, round = false }]
+[material.glass]
+young = 40e9
+poisson = 0.3
+density = 1900
+ply_thickness = \"1 mm\"
+";
+
+fn parse(text: &str) -> Result<Layup, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let table = "span [m],tape [mm]\n0,1\n10,2\n40,3\n";
+    std::fs::write(folder.path().join("t.csv"), table).expect("a table");
+    layup::parse(text, &folder.path().join("a.layup.toml")).map_err(|problems| problems.to_string())
+}
+
+fn section(text: &str, eta: f64) -> LayupSection {
+    let layup = parse(text).unwrap_or_else(|problems| panic!("{problems}"));
+    let found = layup.section(eta);
+    found.unwrap_or_else(|problems| panic!("{problems}"))
+}
+
+/// By hand at eta 0.26: plies of 1 mm, 7 of 6.88 in the cap, whose width and drop are given; the
+/// table of the file at 13 m; the web's fore face is 10 mm ahead of x = 0.3 of a chord of 2 m.
+#[test]
+fn the_words_have_their_values() {
+    let found = section(TEXT, 0.26);
+    let names: Vec<&str> = found.layers.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["skin/1", "skin/2", "cap", "patch", "tape"]);
+    let thickness: Vec<f64> = found.layers.iter().map(|one| one.thickness).collect();
+    for (found, expected) in thickness[..4].iter().zip([0.001, 0.001, 0.007, 0.001]) {
+        assert!((found - expected).abs() < 1e-15, "{thickness:?}");
+    }
+    assert!(
+        thickness[4] > 0.002 && thickness[4] < 0.003,
+        "{thickness:?}"
+    );
+    assert!((found.webs[0].plies[0].thickness - 0.02).abs() < 1e-15);
+    // the same places in other words
+    let [fore, chord] = [0.3 - 0.01 / 2.0, 2.0];
+    let other = TEXT
+        .replace(
+            "from = \"web.suction.fore + 20 mm\"",
+            &format!("from = {{ x = {fore:?}, side = \"suction\", shift = \"20 mm\" }}"),
+        )
+        .replace(
+            "from = \"cap_rear + 40 mm\"",
+            "from = { x = 0.45, side = \"suction\", shift = 0.04 }",
+        )
+        .replace(
+            "at = { x = 0.3 }",
+            "suction = { x = 0.3, side = \"suction\" }\npressure = { x = 0.3, side = \"pressure\" }",
+        );
+    let other = section(&other, 0.26);
+    for (a, b) in found.layers.iter().zip(&other.layers) {
+        assert!(
+            (a.from - b.from).abs() + (a.to - b.to).abs() < 1e-9,
+            "{a:?} {b:?}"
+        );
+    }
+    assert_eq!(found.webs, other.webs);
+    let outline = section_analyzer::mesh::generate::layup::Outline::new(&found.contour);
+    let perimeter = outline.expect("a contour").perimeter();
+    let [cap, patch] = [2, 3].map(|i| &found.layers[i]);
+    assert!(((cap.to - cap.from) * perimeter - 0.3).abs() < 1e-9);
+    assert!((cap.taper.unwrap() - 0.14).abs() < 1e-12);
+    let width = found.contour.iter().map(|point| point[0]);
+    let width = width.clone().fold(f64::MIN, f64::max) - width.fold(f64::MAX, f64::min);
+    assert!((width - chord).abs() < 1e-3 * chord, "{width}");
+    assert!(patch.to < 0.5 && patch.to > 0.46, "{patch:?}");
+}
+
+/// 10 - 12 eta plies are 9.5 at 1/24, and 4.5 at 11/24: jumps of six plies. Beyond its table the
+/// patch is held.
+#[test]
+fn rounded_plies_jump_along_the_span() {
+    let layup = parse(TEXT).unwrap_or_else(|problems| panic!("{problems}"));
+    let jumps = layup.jumps();
+    for count in 0..6 {
+        let expected = (0.5 + f64::from(count)) / 12.0;
+        assert!(
+            jumps.iter().any(|eta| (eta - expected).abs() < 1e-9),
+            "{expected}: {jumps:?}"
+        );
+    }
+    // and the end of the tape
+    assert_eq!(jumps.len(), 7, "{jumps:?}");
+    assert!(
+        section(TEXT, 0.9)
+            .layers
+            .iter()
+            .any(|one| one.name == "patch")
+    );
+    let free = TEXT.replace(", hold = true", "");
+    assert!(
+        !section(&free, 0.9)
+            .layers
+            .iter()
+            .any(|one| one.name == "patch")
+    );
+}
+
+/// The file of a layup has the same sections, which can be meshed.
+#[test]
+fn the_file_of_a_layup_has_its_sections() {
+    let layup = parse(TEXT).unwrap_or_else(|problems| panic!("{problems}"));
+    let text = layup_file(&layup, "a.layup.toml");
+    let again = layup::parse(&text, Path::new("b.layup.toml"));
+    let again = again.unwrap_or_else(|problems| panic!("{problems}\n{text}"));
+    for eta in [0.1, 0.26, 0.7] {
+        let [a, b] = [&layup, &again].map(|layup| layup.section(eta).expect("a section"));
+        for (a, b) in a.layers.iter().zip(&b.layers) {
+            let difference = (a.thickness - b.thickness).abs() + (a.from - b.from).abs();
+            assert!(a.name == b.name && difference + (a.to - b.to).abs() < 1e-12);
+        }
+        assert_eq!(a.layers.len(), b.layers.len());
+    }
+    again
+        .mesh(0.26)
+        .unwrap_or_else(|problems| panic!("{problems}"));
+}
+
+/// Words, others in their place, and the problem.
+const WRONG: &[(&str, &str, &str)] = &[
+    (
+        "plies = [\"45 deg\", \"-45 deg\"]",
+        "plies = [45]\ncount = 1",
+        "layer \"skin\" has 2 of",
+    ),
+    (
+        "plies = [\"45 deg\", \"-45 deg\"]",
+        "",
+        "layer \"skin\" has 0 of",
+    ),
+    (
+        "plies = [\"45 deg\", \"-45 deg\"]",
+        "plies = []",
+        "expected one angle or more",
+    ),
+    (
+        "plies = [\"45 deg\", \"-45 deg\"]",
+        "plies = [45]\nfiber_angle = 1",
+        "has the angles of its plies and \"fiber_angle\"",
+    ),
+    (
+        "ply_thickness = \"1 mm\"\n",
+        "",
+        "material \"glass\" has no ply thickness",
+    ),
+    ("+ 40 mm", "+ 40 kg", "a place, as \"cap.end + 40 mm\""),
+    ("\"1:20\"", "\"1:0\"", "a positive length, or \"1:20\""),
+    ("\"1:20\"", "\"steep\"", "a positive length, or \"1:20\""),
+    (
+        "at = { x = 0.3 }",
+        "at = { x = 0.3 }\nsuction = 0.3",
+        "web \"web\": expected",
+    ),
+    (
+        "at = { x = 0.3 }",
+        "at = { angle = 0.3 }",
+        "one of \"x\" and \"plane\"",
+    ),
+    (
+        "[line]\nlength = 50\n",
+        "",
+        "expected \"eta\" in a layup without [line]",
+    ),
+    (
+        "[0, 25, 50]",
+        "[0, 25, 51]",
+        "a \"span\" goes to 51 m, expected at most 50 m",
+    ),
+    (
+        "span = [0, 25, 50]",
+        "eta = [0, 1], span = [0, 1]",
+        "expected \"eta\" and \"value\"",
+    ),
+    (
+        "column = \"tape\"",
+        "column = \"tap\"",
+        "did you mean \"tape\"?",
+    ),
+    ("\"t.csv\"", "\"u.csv\"", "u.csv"),
+    ("side = \"suction\"\n", "", "expected one of \"arc\""),
+];
+
+#[test]
+fn wrong_words_are_refused() {
+    for (from, to, expected) in WRONG {
+        assert!(TEXT.contains(from), "{from}");
+        let problems = parse(&TEXT.replacen(from, to, 1)).expect_err(to);
+        assert!(problems.contains(expected), "{to}: {problems}");
+    }
+    let unknown = parse(&TEXT.replace("cap_rear + 40", "cap_reer + 40"));
+    let problem = unknown.expect("a layup").section(0.3).expect_err("a place");
+    assert!(
+        problem.to_string().contains("did you mean \"cap_rear\"?"),
+        "{problem}"
+    );
+}
