@@ -197,6 +197,11 @@ fn every_wrong_key_of_joints_and_supports_is_reported() {
     ] {
         assert!(shown.contains(expected), "{expected} is not in\n{shown}");
     }
+    let shown = input(&cards.replace("tipp", "Ground")).unwrap_err();
+    assert!(
+        shown.contains("help: the frame of the model is no node"),
+        "{shown}"
+    );
     let held = HUB.replace("in_plane = 40", "torsion = 40");
     let shown = input(&held).unwrap_err();
     let expected = "\"torsion\" has a damping but no stiffness: the hub is fixed in this direction";

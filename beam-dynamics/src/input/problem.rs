@@ -386,9 +386,18 @@ pub enum InputProblem {
     Document(#[from] DocumentProblem),
 }
 
+/// Names that people give the frame of the model.
+const FRAME: [&str; 5] = ["ground", "world", "frame", "fixed", "inertial"];
+
 impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
+            Self::UnknownName {
+                kind: "node", name, ..
+            } if FRAME.contains(&name.to_lowercase().as_str()) => {
+                "the frame of the model is no node: a joint, rod or spring with one node connects it \
+                 to the frame, and a node with a [[clamp]] is held in it"
+            }
             Self::UnknownName {
                 kind, name, known, ..
             } => return Some(nearest(kind, name, known)),
