@@ -393,12 +393,6 @@ impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
             Self::UnknownName {
-                kind: "node", name, ..
-            } if FRAME.contains(&name.to_lowercase().as_str()) => {
-                "the frame of the model is no node: a joint, rod or spring with one node connects it \
-                 to the frame, and a node with a [[clamp]] is held in it"
-            }
-            Self::UnknownName {
                 kind, name, known, ..
             } => return Some(nearest(kind, name, known)),
             Self::NoPropertyFile { file, known, .. } => return Some(nearest_file(file, known)),
@@ -461,6 +455,11 @@ fn six(value: f64) -> String {
 }
 
 fn nearest(kind: &str, found: &str, known: &[String]) -> String {
+    if kind == "node" && FRAME.contains(&found.to_lowercase().as_str()) {
+        return "the frame of the model is no node: a joint, rod or spring with one node connects it \
+                to the frame, and a node with a [[clamp]] is held in it"
+            .to_owned();
+    }
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None if known.is_empty() => format!("the file has no {kind}"),
