@@ -173,6 +173,13 @@ impl ColumnTable {
         self.columns.iter().position(is_it)
     }
 
+    /// Number of columns of a name, of any unit.
+    pub fn count(&self, name: &str) -> usize {
+        let wanted = plain(name);
+        let columns = self.columns.iter();
+        columns.filter(|column| column.name == wanted).count()
+    }
+
     /// The columns of names, all of which are needed.
     ///
     /// # Errors

@@ -47,6 +47,38 @@ pub enum SpanLoadProblem {
         /// The beams of the table.
         members: Vec<String>,
     },
+    /// Two columns for one component.
+    #[error("{count} columns are called \"{column}\", expected one")]
+    Columns {
+        /// The name.
+        column: String,
+        /// Number of columns.
+        count: usize,
+    },
+    /// Two rows for one position and instant.
+    #[error(
+        "the second row for eta {eta} of {instant}, expected one for each position and instant"
+    )]
+    Rows {
+        /// The position [-].
+        eta: f64,
+        /// The instant.
+        instant: String,
+    },
+    /// A column that an envelope cannot have.
+    #[error(
+        "column \"{column}\" beside columns of largest and smallest values, expected an envelope"
+    )]
+    Envelope {
+        /// The column.
+        column: String,
+    },
+    /// A largest value that is less than the smallest.
+    #[error("the largest value of {component} is less than the smallest")]
+    Ends {
+        /// The component.
+        component: &'static str,
+    },
     /// A force or moment that is none of the components, beside absent components.
     #[error("column \"{column}\" is no component of the internal force, expected {}", quoted(.absent))]
     NoComponent {
@@ -61,6 +93,16 @@ impl Explain for SpanLoadProblem {
     fn help(&self) -> Option<String> {
         Some(match self {
             Self::Members { .. } | Self::NoMember { .. } => "name it with --member".to_owned(),
+            Self::Columns { .. } => "remove or rename one of them".to_owned(),
+            Self::Rows { .. } => {
+                "number the instants in a column time or step, and name load cases in a column case"
+                    .to_owned()
+            }
+            Self::Envelope { .. } => {
+                "an envelope has no times: remove the column, or the columns of the envelope"
+                    .to_owned()
+            }
+            Self::Ends { .. } => "exchange both".to_owned(),
             Self::NoComponent { column, absent } => {
                 let near = nearest_name(&plain(column), absent.iter().map(String::as_str));
                 match near {
@@ -216,6 +258,13 @@ impl LoadTable {
     fn columns(&self, names: &[String; 6]) -> Result<[Option<(usize, f64)>; 6], Diagnostics> {
         let mut found = [None; 6];
         for ((found, name), (_, dimension)) in found.iter_mut().zip(names).zip(COMPONENTS) {
+            let count = self.0.count(name);
+            if count > 1 {
+                let column = name.clone();
+                return Err(self
+                    .0
+                    .problem(1, &SpanLoadProblem::Columns { column, count }));
+            }
             if let Some(column) = self.0.index(name) {
                 *found = Some((column, self.0.factor(column, dimension)?));
             }
@@ -272,12 +321,28 @@ impl LoadTable {
                     points: Vec::new(),
                 });
             }
-            found[number].points.push((
-                scale * self.0.number(row, position)?,
-                self.force(row, &columns)?,
-            ));
+            let eta = scale * self.0.number(row, position)?;
+            let LoadInstant { name, points, .. } = &mut found[number];
+            self.is_new(row, eta, (points, name))?;
+            points.push((eta, self.force(row, &columns)?));
         }
         Ok(found)
+    }
+
+    /// Checks that an instant has no point at `eta`, the position of a row.
+    fn is_new(
+        &self,
+        row: &Row,
+        eta: f64,
+        (points, instant): (&[(f64, Vector6<f64>)], &str),
+    ) -> Result<(), Diagnostics> {
+        if points.iter().all(|point| point.0 != eta) {
+            return Ok(());
+        }
+        let instant = instant.to_owned();
+        Err(self
+            .0
+            .problem(row.line, &SpanLoadProblem::Rows { eta, instant }))
     }
 
     /// The rows of the only member, or of `member`.

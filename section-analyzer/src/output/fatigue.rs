@@ -94,9 +94,17 @@ pub fn damage_csv(rows: &[DamageRow], duration: f64) -> String {
         cells.extend([row.ply.clone(), row.material.clone()]);
         let factor = 1.0 / found.damage;
         let life = duration / HOUR * factor;
-        let values = [found.damage, factor, life, found.reserve_factor];
-        cells.extend(values.map(|value| format!("{value:e}")));
-        cells.push(found.component.name());
+        cells.extend([found.damage, factor].map(|value| format!("{value:e}")));
+        // one instant has no time
+        cells.push(if duration > 0.0 {
+            format!("{life:e}")
+        } else {
+            String::new()
+        });
+        cells.extend([
+            format!("{:e}", found.reserve_factor),
+            found.component.name(),
+        ]);
         let values = [
             found.cycles,
             found.largest.range,
@@ -152,11 +160,13 @@ pub fn damage_text(rows: &[DamageRow], duration: f64) -> String {
         .max_by(|a, b| damage(a).total_cmp(&damage(b)));
     if let Some(row) = worst {
         let found = &row.found;
+        let life = format!(", life {:.3e} years", hours / YEAR / found.damage);
+        let life = if hours > 0.0 { &life } else { "" };
         // writing to a string cannot fail
         let _ = writeln!(
             text,
             "\nCritical in fatigue: ply \"{}\" ({}) at eta {}, y {:.4} m, z {:.4} m, {}: damage \
-             {:.3e}, life {:.3e} years, factor {:.4} on all loads",
+             {:.3e}{life}, factor {:.4} on all loads",
             row.ply,
             row.material,
             row.station.label(),
@@ -164,7 +174,6 @@ pub fn damage_text(rows: &[DamageRow], duration: f64) -> String {
             found.position[1],
             found.component.name(),
             found.damage,
-            hours / YEAR / found.damage,
             found.reserve_factor,
         );
     }

@@ -10,8 +10,9 @@
 //! V(s) <= sum_j |a_j| V(theta_j)
 //! ```
 //!
-//! Components are counted in the order of these bounds, until no bound is larger than the damage
-//! that has been found, without effect on the result.
+//! Components are counted in the order of these bounds, as long as a bound is larger than the damage
+//! that has been found, or one is at least one with the loads times the smallest reserve factor
+//! that has been found: the others have no effect on the result.
 
 use std::collections::BTreeMap;
 
@@ -45,6 +46,23 @@ impl LoadHistory {
             let mut counted = cycles(history.forces.iter().map(|theta| (row * theta).x));
             for cycle in &mut counted {
                 cycle.count *= history.repetitions;
+            }
+            counted
+        };
+        histories.iter().flat_map(of_one).collect()
+    }
+
+    /// As [`Self::cycles`], and a cycle without range for each history in which the function is
+    /// constant.
+    fn cycles_and_means(histories: &[Self], row: &RowVector6<f64>) -> Vec<Cycle> {
+        let of_one = |history: &Self| {
+            let mut counted = Self::cycles(std::slice::from_ref(history), row);
+            if counted.is_empty() {
+                counted.extend(history.forces.first().map(|theta| Cycle {
+                    range: 0.0,
+                    mean: (row * theta).x,
+                    count: history.repetitions,
+                }));
             }
             counted
         };
@@ -93,7 +111,7 @@ impl Component {
     }
 }
 
-/// The point and component of a region with the largest damage.
+/// The point and component of a region with the largest damage, and its smallest reserve factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RegionDamage {
     /// Region: index of the physical surface in the mesh of the section.
@@ -106,7 +124,8 @@ pub struct RegionDamage {
     pub life: ConstantLife,
     /// Miner's sum \[-\].
     pub damage: f64,
-    /// The factor on all loads at which the damage is one \[-\].
+    /// The smallest factor on all loads at which a point and component of the region has the damage
+    /// one \[-\].
     pub reserve_factor: f64,
     /// Number of cycles \[-\].
     pub cycles: f64,
@@ -124,10 +143,34 @@ struct Candidate<'a> {
     point: &'a UnitPoint,
     component: Component,
     life: ConstantLife,
+    /// Its smallest and largest value \[Pa or -\].
+    range: [f64; 2],
+    /// An upper bound of its total variation \[Pa or -\].
+    variation: f64,
+}
+
+impl Candidate<'_> {
+    /// Whether its reserve factor may be less than `factor`.
+    fn may_be_below(&self, factor: f64) -> bool {
+        if factor.is_infinite() {
+            return self.range != [0.0; 2];
+        }
+        let range = self.range.map(|value| factor * value);
+        bound(&self.life, range, factor * self.variation) >= 1.0
+    }
+}
+
+/// The candidate with the largest damage, and the smallest reserve factor of all.
+struct Worst<'a> {
+    candidate: Candidate<'a>,
+    cycles: Vec<Cycle>,
+    damage: f64,
+    own_factor: f64,
+    least_factor: f64,
 }
 
 /// The largest damage of each region whose material has slopes of S-N lines, over all integration
-/// points and components.
+/// points and components. Histories that do not occur have no effect.
 pub fn region_damages(
     section: &Section,
     limits: &[MaterialLimits],
@@ -135,40 +178,37 @@ pub fn region_damages(
     histories: &[LoadHistory],
 ) -> Vec<RegionDamage> {
     let measures: Vec<_> = limits.iter().map(measures).collect();
+    let occurring = histories.iter().filter(|history| history.repetitions > 0.0);
+    let histories: Vec<LoadHistory> = occurring.cloned().collect();
     let forces: Vec<Vector6<f64>> = histories
         .iter()
         .flat_map(|history| history.forces.iter().copied())
         .collect();
     let tree = ForceTree::new(&forces, &weights(points));
-    let variation = LoadHistory::variation(histories);
+    let variation = LoadHistory::variation(&histories);
     let mut regions: BTreeMap<usize, Vec<Candidate<'_>>> = BTreeMap::new();
     for point in points {
         let material = section.cells[point.cell].material;
         let group = section.mesh.cells[point.cell].group;
         for &(component, life) in &measures[material] {
             let row = component.row(point);
-            let variation = row.abs() * variation;
+            let (range, variation) = (tree.range_of(&row), (row.abs() * variation).x);
             let candidate = Candidate {
-                bound: bound(&life, tree.range_of(&row), variation.x),
+                bound: bound(&life, range, variation),
                 point,
                 component,
                 life,
+                range,
+                variation,
             };
             regions.entry(group).or_default().push(candidate);
         }
     }
-    let worst = |(group, candidates)| {
-        let (found, damage) = worst(candidates, histories)?;
-        let material = section.cells[found.point.cell].material;
-        Some(reported(
-            (group, material),
-            &found,
-            damage,
-            section,
-            histories,
-        ))
-    };
-    regions.into_iter().filter_map(worst).collect()
+    let regions = regions.into_iter();
+    let worst = regions.filter_map(|(group, all)| Some((group, worst(all, &histories)?)));
+    worst
+        .map(|(group, worst)| reported(group, &worst, section))
+        .collect()
 }
 
 /// An upper bound of the damage of a component with values in a range.
@@ -181,55 +221,62 @@ fn bound(life: &ConstantLife, [low, high]: [f64; 2], variation: f64) -> f64 {
     (1.0 + SLACK) * ratio.powf(life.slope - 1.0) * variation / (4.0 * least)
 }
 
-/// The candidate with the largest damage.
-fn worst<'a>(
-    mut candidates: Vec<Candidate<'a>>,
-    histories: &[LoadHistory],
-) -> Option<(Candidate<'a>, f64)> {
+fn worst<'a>(mut candidates: Vec<Candidate<'a>>, histories: &[LoadHistory]) -> Option<Worst<'a>> {
     candidates.sort_by(|a, b| b.bound.total_cmp(&a.bound));
-    let mut best: Option<(Candidate<'a>, f64)> = None;
+    let mut best: Option<Worst<'a>> = None;
     for candidate in candidates {
-        let known = best.as_ref().map_or(-1.0, |best| best.1);
-        if candidate.bound <= known {
-            break;
+        let (known, least) = best.as_ref().map_or((-1.0, f64::INFINITY), |best| {
+            (best.damage, best.least_factor)
+        });
+        if candidate.bound <= known && !candidate.may_be_below(least) {
+            continue;
         }
         let row = candidate.component.row(candidate.point);
-        let damage = candidate.life.damage(&LoadHistory::cycles(histories, &row));
-        if damage > known {
-            best = Some((candidate, damage));
+        let cycles = LoadHistory::cycles_and_means(histories, &row);
+        let damage = candidate.life.damage(&cycles);
+        let own_factor = candidate.life.reserve_factor(&cycles);
+        let least_factor = least.min(own_factor);
+        match &mut best {
+            Some(best) if damage < known || (damage == known && own_factor >= best.own_factor) => {
+                best.least_factor = least_factor;
+            }
+            _ => {
+                best = Some(Worst {
+                    candidate,
+                    cycles,
+                    damage,
+                    own_factor,
+                    least_factor,
+                });
+            }
         }
     }
     best
 }
 
-fn reported(
-    (group, material): (usize, usize),
-    found: &Candidate<'_>,
-    damage: f64,
-    section: &Section,
-    histories: &[LoadHistory],
-) -> RegionDamage {
-    let cycles = LoadHistory::cycles(histories, &found.component.row(found.point));
+fn reported(group: usize, worst: &Worst<'_>, section: &Section) -> RegionDamage {
     let none = Cycle {
         range: 0.0,
         mean: 0.0,
         count: 0.0,
     };
-    let largest = cycles.iter().fold(none, |most, cycle| {
+    let counted = worst.cycles.iter().filter(|cycle| cycle.range > 0.0);
+    let largest = counted.clone().fold(none, |most, cycle| {
         if cycle.range > most.range {
             *cycle
         } else {
             most
         }
     });
+    let found = &worst.candidate;
     RegionDamage {
         group,
-        material,
+        material: section.cells[found.point.cell].material,
         component: found.component,
         life: found.life,
-        damage,
-        reserve_factor: found.life.reserve_factor(&cycles),
-        cycles: cycles.iter().fold(0.0, |sum, cycle| sum + cycle.count),
+        damage: worst.damage,
+        reserve_factor: worst.least_factor,
+        cycles: counted.fold(0.0, |sum, cycle| sum + cycle.count),
         largest,
         tag: section.mesh.cells[found.point.cell].tag,
         position: found.point.position,

@@ -162,12 +162,95 @@ fn the_bounds_leave_out_nothing_that_governs() {
                 .filter(|point| section.mesh.cells[point.cell].group == region.group);
             let all = own.flat_map(|point| {
                 let damages = measures(&ply).into_iter().map(|(component, life)| {
-                    life.damage(&LoadHistory::cycles(&histories, &component.row(point)))
+                    let cycles = LoadHistory::cycles(&histories, &component.row(point));
+                    (life.damage(&cycles), life.reserve_factor(&cycles))
                 });
-                damages.collect::<Vec<f64>>()
+                damages.collect::<Vec<_>>()
             });
-            assert_eq!(region.damage, all.fold(0.0, f64::max));
+            let most =
+                |worst: (f64, f64), one: (f64, f64)| (worst.0.max(one.0), worst.1.min(one.1));
+            let (damage, factor) = all.fold((0.0, f64::INFINITY), most);
+            assert_eq!(region.damage, damage);
+            assert_eq!(region.reserve_factor, factor);
         }
         assert!(!found.is_empty());
     }
+}
+
+/// A history that does not occur has no effect, though it is beyond the strengths; a constant force
+/// has the factor at which its stress reaches the strength, and beyond it an infinite damage.
+#[test]
+fn forces_without_cycles_and_without_occurrence() {
+    let section = bar();
+    let (points, limits) = (points(&section), metal(&section));
+    let of = |forces: Vec<Vector6<f64>>, repetitions: f64| LoadHistory {
+        forces,
+        repetitions,
+    };
+    let damages = |histories: &[LoadHistory]| {
+        let found = most(&region_damages(&section, &limits, &points, histories));
+        (found.damage, found.reserve_factor, found.cycles)
+    };
+    let usual = of(block(4, 5, [-1e6, 2e6]), 3.0);
+    let beyond = of(block(4, 5, [-9e8, 9e8]), 0.0);
+    assert_eq!(
+        damages(&[usual.clone(), beyond]),
+        damages(std::slice::from_ref(&usual))
+    );
+    // the axial stresses are 100 and -500 MPa
+    let (damage, factor, cycles) = damages(&[of(vec![Vector6::ith(0, 160e6); 3], 1.0)]);
+    assert_eq!((damage, cycles), (0.0, 0.0));
+    assert!((factor / 4.0 - 1.0).abs() < 1e-9, "{factor}");
+    let (damage, factor, _) = damages(&[of(vec![Vector6::ith(0, -800e6); 3], 1.0)]);
+    assert_eq!(damage, f64::INFINITY);
+    assert!((factor / 0.6 - 1.0).abs() < 1e-9, "{factor}");
+}
+
+/// Two components with slopes of 20 and 2: the one with the larger damage has the larger factor.
+#[test]
+fn the_factor_is_the_smallest_of_all_components() {
+    let section = bar();
+    let points = points(&section);
+    let strength = Strength::Ply {
+        limits: DirectionalLimits {
+            tension: [100e6; 3],
+            compression: [100e6; 3],
+            shear: [100e6; 3],
+        },
+        interaction: [DEFAULT_INTERACTION; 3],
+    };
+    let slopes = Slopes {
+        fiber: 20.0,
+        matrix: 2.0,
+    };
+    let ply = MaterialLimits {
+        strength: Some(strength),
+        fatigue: Fatigue {
+            stress: Some(slopes),
+            strain: None,
+        },
+        ..MaterialLimits::default()
+    };
+    let limits = limits(&section, ply);
+    let both = |axial: f64, torsion: f64| LoadHistory {
+        forces: [1.0, -1.0, 1.0, -1.0, 1.0]
+            .map(|sign| sign * Vector6::new(axial, 0.0, 0.0, torsion, 0.0, 0.0))
+            .to_vec(),
+        repetitions: 1.0,
+    };
+    let found = |axial, torsion| {
+        most(&region_damages(
+            &section,
+            &limits,
+            &points,
+            &[both(axial, torsion)],
+        ))
+    };
+    // alone: 80 MPa in axial direction, 2 cycles; and torsion
+    let (axial, torsion) = (found(128e6, 0.0), found(0.0, 11e6));
+    let together = found(128e6, 11e6);
+    assert!((axial.reserve_factor - 1.25 / 2f64.powf(0.05)).abs() < 1e-9);
+    assert!(torsion.damage > axial.damage && torsion.reserve_factor > axial.reserve_factor);
+    assert!((together.damage / torsion.damage - 1.0).abs() < 1e-9);
+    assert!((together.reserve_factor / axial.reserve_factor - 1.0).abs() < 1e-9);
 }

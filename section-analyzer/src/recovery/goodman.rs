@@ -52,16 +52,17 @@ impl ConstantLife {
             let ratio = self.ratio(cycle.range, cycle.mean);
             cycle.count * ratio.powf(self.slope)
         };
+        let counted = cycles.iter().filter(|cycle| cycle.count > 0.0);
         // a sum of nothing is -0
-        cycles.iter().fold(0.0, |sum, cycle| sum + damage(cycle))
+        counted.fold(0.0, |sum, cycle| sum + damage(cycle))
     }
 
-    /// The factor on all loads at which the damage is one \[-\]; infinite without cycles.
+    /// The factor on all loads at which the damage is one \[-\]; infinite without cycles. A cycle
+    /// without range has the factor at which its mean reaches a strength.
     pub fn reserve_factor(&self, cycles: &[Cycle]) -> f64 {
-        let is_loaded = |cycle: &&Cycle| cycle.range > 0.0 && cycle.count > 0.0;
-        let cycles: Vec<Cycle> = cycles.iter().filter(is_loaded).copied().collect();
+        let counted = cycles.iter().filter(|cycle| cycle.count > 0.0);
         // the factor at which a mean reaches a strength
-        let limit = cycles.iter().map(|cycle| {
+        let limit = counted.clone().map(|cycle| {
             if cycle.mean > 0.0 {
                 self.tension / cycle.mean
             } else {
@@ -69,8 +70,9 @@ impl ConstantLife {
             }
         });
         let limit = limit.map(f64::abs).fold(f64::INFINITY, f64::min);
+        let cycles: Vec<Cycle> = counted.filter(|cycle| cycle.range > 0.0).copied().collect();
         if cycles.is_empty() {
-            return f64::INFINITY;
+            return limit;
         }
         // Newton's method for ln D over ln of the factor, in an interval that becomes smaller
         let (mut low, mut high) = (0.0, limit);
@@ -195,6 +197,12 @@ mod tests {
             assert!((PLY.damage(&scaled) - 1.0).abs() < 1e-6, "{size} {factor}");
         }
         assert_eq!(PLY.reserve_factor(&[]), f64::INFINITY);
-        assert_eq!(PLY.reserve_factor(&[cycle(1.0, 0.0, 10.0)]), f64::INFINITY);
+        // without range: only the mean
+        assert_eq!(PLY.reserve_factor(&[cycle(1.0, 0.0, 10.0)]), 100.0);
+        assert_eq!(PLY.reserve_factor(&[cycle(1.0, 0.0, 0.0)]), f64::INFINITY);
+        // cycles that do not occur
+        let beyond = cycle(0.0, 100.0, 2000.0);
+        assert_eq!(PLY.damage(&[beyond]), 0.0);
+        assert_eq!(PLY.reserve_factor(&[beyond]), f64::INFINITY);
     }
 }

@@ -74,8 +74,10 @@ keys! {
         or "\"monotone\"" = 0, "\"linear\"";
 }
 
-/// Steps of the search for changes of whole numbers.
-const ROUND_STEPS: usize = 2000;
+/// Largest number of changes of a whole number between two positions; beyond, the last one follows.
+const MOST_CHANGES: usize = 10_000;
+/// Error of the position of a change, in lengths of the table.
+const CLOSE: f64 = 1e-12;
 
 /// The words of the kinds, in their order.
 const WORDS: [&str; 3] = ["monotone", "linear", "constant"];
@@ -129,22 +131,26 @@ impl Course {
             return Self::constant(factor * self.value[0].round());
         };
         let (mut eta, mut value) = (vec![first], vec![whole(first)]);
-        let at = |i: usize| first + (last - first) * i as f64 / ROUND_STEPS as f64;
-        for i in 0..ROUND_STEPS {
-            let (mut low, mut high) = (at(i), at(i + 1));
-            if whole(low) == whole(high) {
-                continue;
-            }
-            for _ in 0..40 {
-                let middle = 0.5 * (low + high);
-                if whole(middle) == whole(at(i)) {
-                    low = middle
-                } else {
-                    high = middle
+        // monotone between two positions
+        for pair in self.positions().windows(2) {
+            let mut from = pair[0];
+            for _ in 0..MOST_CHANGES {
+                if whole(from) == whole(pair[1]) {
+                    break;
                 }
+                let (mut low, mut high) = (from, pair[1]);
+                while high - low > CLOSE * (last - first) {
+                    let middle = 0.5 * (low + high);
+                    if whole(middle) == whole(from) {
+                        low = middle
+                    } else {
+                        high = middle
+                    }
+                }
+                eta.push(high);
+                value.push(whole(high));
+                from = high;
             }
-            eta.push(high);
-            value.push(whole(at(i + 1)));
         }
         if eta[eta.len() - 1] < last {
             eta.push(last);
@@ -181,8 +187,8 @@ impl Course {
         [&ETA, &SPAN, &VALUE].iter().any(|key| table.has(key)) || table.has(&FILE)
     }
 
-    /// The sum with `factor` times another one: monotone cubics through the sums at the positions
-    /// of both.
+    /// The sum with `factor` times another one, at the positions of both: of the kind of one if the
+    /// other one is constant, else lines if both are lines, and monotone cubics through the sums.
     pub fn plus(&self, other: &Self, factor: f64) -> Self {
         let mut eta: Vec<f64> = [self.positions(), other.positions()].concat();
         if eta.is_empty() {
@@ -192,9 +198,15 @@ impl Course {
         eta.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
         let sum = |eta: &f64| self.at(*eta) + factor * other.at(*eta);
         let value = eta.iter().map(sum).collect();
+        let kind = match (self.positions().is_empty(), other.positions().is_empty()) {
+            (_, true) => self.kind,
+            (true, _) => other.kind,
+            _ if self.kind == other.kind => self.kind,
+            _ => Kind::Monotone,
+        };
         Self {
             in_lengths: self.in_lengths || other.in_lengths,
-            ..Self::monotone(eta, value)
+            ..Self::new(eta, value, kind)
         }
     }
 

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use shared_geom::error::Diagnostics;
 
-use super::{COMPONENTS, LoadInstant, LoadPositions, LoadTable};
+use super::{COMPONENTS, LoadInstant, LoadPositions, LoadTable, SpanLoadProblem};
 
 /// Endings of the columns, and words for reports.
 const ENDS: [(&str, &str); 2] = [("_max", "max"), ("_min", "min")];
@@ -28,6 +28,13 @@ impl LoadTable {
         &self,
         positions: &LoadPositions,
     ) -> Result<Vec<LoadInstant>, Diagnostics> {
+        let plain = COMPONENTS.map(|component| component.0);
+        for column in ["time", "step"].into_iter().chain(plain) {
+            if self.0.index(column).is_some() {
+                let column = column.to_owned();
+                return Err(self.0.problem(1, &SpanLoadProblem::Envelope { column }));
+            }
+        }
         let (position, scale) = self.position(positions.length)?;
         let mut columns = [[None; 6]; 2];
         for (columns, (end, _)) in columns.iter_mut().zip(ENDS) {
@@ -51,6 +58,16 @@ impl LoadTable {
             let corners = cases
                 .entry(name)
                 .or_insert_with(|| all_corners(&there, name));
+            let below = there.iter().find(|i| ends[0][**i] < ends[1][**i]);
+            if let Some(&i) = below {
+                let component = COMPONENTS[i].0;
+                return Err(self
+                    .0
+                    .problem(row.line, &SpanLoadProblem::Ends { component }));
+            }
+            if let Some(corner) = corners.first() {
+                self.is_new(row, eta, (&corner.points, name.unwrap_or("the envelope")))?;
+            }
             for (number, corner) in corners.iter_mut().enumerate() {
                 let mut force = ends[0];
                 for (bit, &i) in there.iter().enumerate() {

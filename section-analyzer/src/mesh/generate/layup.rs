@@ -65,6 +65,7 @@ impl LayupSection {
                 Ok((mesh, wall)) => match sound(&mesh) {
                     Ok(()) => {
                         let areas = area::areas(self, &wall, &mesh);
+                        area::check(&areas)?;
                         return Ok(MeshedLayup { mesh, areas });
                     }
                     Err(problem) => problem,

@@ -2,6 +2,7 @@
 
 use shared_geom::mesh::{Cell, Mesh};
 
+use super::problem::LayupProblem;
 use super::types::{LayerArea, LayupSection};
 use super::wall::Wall;
 
@@ -38,6 +39,30 @@ pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<Lay
         area.nominal = area.meshed;
     }
     areas
+}
+
+/// Largest area of the cells of all layers in their areas; parts that fill an edge have more than
+/// their own.
+const MOST: f64 = 1.2;
+
+/// Checks that the cells are not more than the layers.
+///
+/// # Errors
+/// The layer with the largest part.
+pub(super) fn check(areas: &[LayerArea]) -> Result<(), LayupProblem> {
+    let sum = |of: fn(&LayerArea) -> f64| areas.iter().map(of).sum::<f64>();
+    if sum(|area| area.meshed) <= MOST * sum(|area| area.nominal) {
+        return Ok(());
+    }
+    let part = |area: &&LayerArea| area.meshed / area.nominal;
+    let present = areas.iter().filter(|area| area.nominal > 0.0);
+    let worst = present.max_by(|a, b| part(a).total_cmp(&part(b)));
+    worst.map_or(Ok(()), |area| {
+        Err(LayupProblem::Area {
+            layer: area.name.clone(),
+            part: part(&area),
+        })
+    })
 }
 
 /// Areas of the layers of the shell on the curved surface.

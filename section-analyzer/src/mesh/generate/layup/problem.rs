@@ -117,6 +117,14 @@ pub enum LayupProblem {
         /// Center of the first one [unit of the mesh].
         position: [f64; 2],
     },
+    /// Cells with more area than the layers.
+    #[error("the cells of layer \"{layer}\" have {} times its area", short(*.part))]
+    Area {
+        /// The layer.
+        layer: String,
+        /// Area of the cells in areas of the layer [-].
+        part: f64,
+    },
     /// Too many cells.
     #[error("cells of this size are {found} in all, expected at most {most}")]
     TooManyCells {
@@ -141,7 +149,8 @@ impl LayupProblem {
             | Self::Thickness { layer, .. }
             | Self::Arcs { layer, .. }
             | Self::Tight { layer, .. }
-            | Self::Folded { layer, .. } => Some(layer),
+            | Self::Folded { layer, .. }
+            | Self::Area { layer, .. } => Some(layer),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
             | Self::WebInContact { web, .. } => Some(web),
@@ -174,6 +183,9 @@ impl Explain for LayupProblem {
             }
             Self::Folded { .. } | Self::Unsound { .. } => {
                 "a longer \"taper\" of the layers that end there, thinner layers, or other cells (size)"
+            }
+            Self::Area { .. } => {
+                "begin the contour at a corner of its rear, give its corners twice, or use thinner layers"
             }
             Self::TooManyCells { .. } => "larger cells",
             _ => return None,
