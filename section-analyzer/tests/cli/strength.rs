@@ -422,6 +422,36 @@ fn wrong_tables_are_refused_with_their_line() {
             &[],
             "loads.csv:1: column \"my\" is no component",
         ),
+        (
+            "eta,case,time,axial\n0,a,1,5\n1,a,1,5\n0,a,1,1\n",
+            &[],
+            "loads.csv:4: the second row for eta 0 of case a time 1, expected one",
+        ),
+        (
+            "eta,axial [N],axial [kN]\n0,1,2\n",
+            &[],
+            "loads.csv:1: 2 columns are called \"axial\", expected one",
+        ),
+        (
+            "eta,axial max,axial min\n0,5,0\n1,5,0\n0,1,0\n",
+            &[],
+            "loads.csv:4: the second row for eta 0 of the envelope",
+        ),
+        (
+            "eta,axial max,axial min\n0,-1,1\n",
+            &[],
+            "loads.csv:2: the largest value of axial is less than the smallest",
+        ),
+        (
+            "eta,time [s],axial max,axial min\n0,0,5,0\n",
+            &[],
+            "loads.csv:1: column \"time\" beside columns of largest and smallest values",
+        ),
+        (
+            "eta,axial max,axial min,bending y\n0,5,0,1\n",
+            &[],
+            "loads.csv:1: column \"bending_y\" beside columns of largest",
+        ),
         ("arc,axial\n", &[], "loads.csv:1: the table has no rows"),
         ("", &[], "the table has no rows"),
         (

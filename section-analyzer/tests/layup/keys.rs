@@ -144,6 +144,35 @@ fn rounded_plies_jump_along_the_span() {
     );
 }
 
+/// Counts change everywhere between two close positions, and a shift in the name of a place keeps the
+/// course of the other one.
+#[test]
+fn courses_are_followed_between_close_positions() {
+    let of_cap = |text: &str, eta: f64| {
+        let layers = section(text, eta).layers;
+        layers.into_iter().find(|one| one.name == "cap").unwrap()
+    };
+    let steep = TEXT.replace(
+        "{ eta = [0, 0.5, 1], value = [10, 4, 4], course",
+        "{ eta = [0, 0.1, 0.1004, 0.5, 0.5001, 0.5002, 1], value = [4, 4, 84, 4, 20, 4, 4], course",
+    );
+    for (eta, plies) in [(0.1002, 44.0), (0.5001, 20.0), (0.50009, 18.0), (0.6, 4.0)] {
+        let found = of_cap(&steep, eta).thickness;
+        assert!((found - 1e-3 * plies).abs() < 1e-12, "{eta}: {found}");
+    }
+    let shifted = |course: &str, eta: f64| {
+        let place = format!(
+            "from = {{ at = \"cap_rear + 40 mm\", shift = {{ eta = [0, 0.5, 1], \
+             value = [0, 0.02, 0.08], course = \"{course}\" }} }}"
+        );
+        let text = TEXT.replace("from = \"cap_rear + 40 mm\"", &place);
+        of_cap(&text, eta).from - of_cap(TEXT, eta).from
+    };
+    assert!(shifted("constant", 0.3).abs() < 1e-12);
+    let [quarter, half] = [0.75, 0.5].map(|eta| shifted("linear", eta));
+    assert!((quarter / half - 2.5).abs() < 1e-6, "{quarter} {half}");
+}
+
 /// The file of a layup has the same sections, which can be meshed.
 #[test]
 fn the_file_of_a_layup_has_its_sections() {
@@ -226,6 +255,16 @@ const WRONG: &[(&str, &str, &str)] = &[
     ),
     ("\"t.csv\"", "\"u.csv\"", "u.csv"),
     ("side = \"suction\"\n", "", "expected one of \"arc\""),
+    (
+        "count = 20, round",
+        "count = -3, round",
+        "\"count\" is -3, expected a number of plies, zero or more",
+    ),
+    (
+        "value = [0.001, 0.001], hold",
+        "value = [0.001, -0.001], hold",
+        "expected a thickness, zero or more",
+    ),
 ];
 
 #[test]
