@@ -20,7 +20,7 @@ mod unsteady;
 pub use air::AirProblem;
 pub use problem::StripProblem;
 
-pub(super) use air::{CARD as AIR, check_boxes, check_mach, check_steady};
+pub(super) use air::{CARD as AIR, check_boxes, check_ground, check_mach, check_steady};
 pub(super) use airfoil_files::{checked as checked_airfoil, constants as airfoil_constants};
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL, read as read_airfoils};
 pub(super) use inflows::{CARD as INFLOW, DiskDesign, Disks, Inflow, InflowKind, OF_ROTOR};

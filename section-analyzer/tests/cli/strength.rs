@@ -377,89 +377,92 @@ fn envelopes_are_the_loads_of_their_corners() {
     );
 }
 
+/// Tables, options, and the expected message.
+const WRONG_TABLES: &[(&str, &[&str], &str)] = &[
+    (
+        "arc [m],bending x [N m]\n1,2\n",
+        &[],
+        "loads.csv:1: the table has no column \"bending_y\"",
+    ),
+    (
+        "arc [s],bending y [N m]\n1,2\n",
+        &[],
+        "loads.csv:1: column \"arc [s]\": ",
+    ),
+    (
+        "arc [m],bending y [N m]\n1,2\n2,x\n",
+        &[],
+        "loads.csv:3: column \"bending y [N m]\": found \"x\", expected a number",
+    ),
+    (
+        "arc,bending y\n1,nan\n",
+        &[],
+        "loads.csv:2: column \"bending y\": found \"nan\"",
+    ),
+    ("bending y [N m]\n1\n", &[], "has no column \"arc_length\""),
+    (
+        "arc,member,axial\n1,a,2\n1,b,2\n",
+        &[],
+        "the table has the members \"a\", \"b\", expected one",
+    ),
+    (
+        "arc,member,axial\n1,a,2\n",
+        &["--member", "c"],
+        "no rows of member \"c\"",
+    ),
+    (
+        "arc,axial [N],bending-y [N m]\n1,2,3\n",
+        &[],
+        "loads.csv:1: column \"bending-y\" is no component of the internal force",
+    ),
+    (
+        "arc,axial [N],My [kN m]\n1,2,3\n",
+        &[],
+        "loads.csv:1: column \"my\" is no component",
+    ),
+    (
+        "eta,case,time,axial\n0,a,1,5\n1,a,1,5\n0,a,1,1\n",
+        &[],
+        "loads.csv:4: the second row for eta 0 of case a time 1, expected one",
+    ),
+    (
+        "eta,axial [N],axial [kN]\n0,1,2\n",
+        &[],
+        "loads.csv:1: 2 columns are called \"axial\", expected one",
+    ),
+    (
+        "eta,axial max,axial min\n0,5,0\n1,5,0\n0,1,0\n",
+        &[],
+        "loads.csv:4: the second row for eta 0 of the envelope",
+    ),
+    (
+        "eta,axial max,axial min\n0,-1,1\n",
+        &[],
+        "loads.csv:2: the largest value of axial is less than the smallest",
+    ),
+    (
+        "eta,time [s],axial max,axial min\n0,0,5,0\n",
+        &[],
+        "loads.csv:1: column \"time\" beside columns of largest and smallest values",
+    ),
+    (
+        "eta,axial max,axial min,bending y\n0,5,0,1\n",
+        &[],
+        "loads.csv:1: column \"bending_y\" beside columns of largest",
+    ),
+    ("arc,axial\n", &[], "loads.csv:1: the table has no rows"),
+    ("", &[], "the table has no rows"),
+    (
+        "time,tip_axial\n0,1\n",
+        &["--at", "root=0"],
+        "no column \"root_bending_y\"",
+    ),
+];
+
 #[test]
 fn wrong_tables_are_refused_with_their_line() {
     let workplace = solved();
-    for (table, more, expected) in [
-        (
-            "arc [m],bending x [N m]\n1,2\n",
-            &[][..],
-            "loads.csv:1: the table has no column \"bending_y\"",
-        ),
-        (
-            "arc [s],bending y [N m]\n1,2\n",
-            &[],
-            "loads.csv:1: column \"arc [s]\": ",
-        ),
-        (
-            "arc [m],bending y [N m]\n1,2\n2,x\n",
-            &[],
-            "loads.csv:3: column \"bending y [N m]\": found \"x\", expected a number",
-        ),
-        (
-            "arc,bending y\n1,nan\n",
-            &[],
-            "loads.csv:2: column \"bending y\": found \"nan\"",
-        ),
-        ("bending y [N m]\n1\n", &[], "has no column \"arc_length\""),
-        (
-            "arc,member,axial\n1,a,2\n1,b,2\n",
-            &[],
-            "the table has the members \"a\", \"b\", expected one",
-        ),
-        (
-            "arc,member,axial\n1,a,2\n",
-            &["--member", "c"],
-            "no rows of member \"c\"",
-        ),
-        (
-            "arc,axial [N],bending-y [N m]\n1,2,3\n",
-            &[],
-            "loads.csv:1: column \"bending-y\" is no component of the internal force",
-        ),
-        (
-            "arc,axial [N],My [kN m]\n1,2,3\n",
-            &[],
-            "loads.csv:1: column \"my\" is no component",
-        ),
-        (
-            "eta,case,time,axial\n0,a,1,5\n1,a,1,5\n0,a,1,1\n",
-            &[],
-            "loads.csv:4: the second row for eta 0 of case a time 1, expected one",
-        ),
-        (
-            "eta,axial [N],axial [kN]\n0,1,2\n",
-            &[],
-            "loads.csv:1: 2 columns are called \"axial\", expected one",
-        ),
-        (
-            "eta,axial max,axial min\n0,5,0\n1,5,0\n0,1,0\n",
-            &[],
-            "loads.csv:4: the second row for eta 0 of the envelope",
-        ),
-        (
-            "eta,axial max,axial min\n0,-1,1\n",
-            &[],
-            "loads.csv:2: the largest value of axial is less than the smallest",
-        ),
-        (
-            "eta,time [s],axial max,axial min\n0,0,5,0\n",
-            &[],
-            "loads.csv:1: column \"time\" beside columns of largest and smallest values",
-        ),
-        (
-            "eta,axial max,axial min,bending y\n0,5,0,1\n",
-            &[],
-            "loads.csv:1: column \"bending_y\" beside columns of largest",
-        ),
-        ("arc,axial\n", &[], "loads.csv:1: the table has no rows"),
-        ("", &[], "the table has no rows"),
-        (
-            "time,tip_axial\n0,1\n",
-            &["--at", "root=0"],
-            "no column \"root_bending_y\"",
-        ),
-    ] {
+    for (table, more, expected) in WRONG_TABLES {
         let run = strength(&workplace, table, more);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{table}");
         assert!(run.err.contains(expected), "{table}: {}", run.err);

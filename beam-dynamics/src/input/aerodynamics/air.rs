@@ -24,7 +24,7 @@ mod turbulence;
 #[cfg(test)]
 mod tests;
 
-pub(in crate::input) use checks::{check_boxes, check_mach, check_steady};
+pub(in crate::input) use checks::{check_boxes, check_ground, check_mach, check_steady};
 pub use problem::AirProblem;
 
 use mean::MeanCard;

@@ -119,6 +119,9 @@ fn constants_of_unsteady_models() {
         (Some(2.0), Some(1.05))
     );
     assert_eq!(found.get("eta_e"), Some(0.9));
+    let shown = airfoils(&format!("{built_in}unsteady = {{ mach = 0.9 }}\n")).unwrap_err();
+    let expected = "\"mach\" is 0.9, expected a Mach number from 0.3 to 0.8";
+    assert!(shown.contains(expected), "{shown}");
     let shown = airfoils(&format!(
         "{built_in}unsteady = {{ vortex_time = 0, mah = 1 }}\n"
     ));

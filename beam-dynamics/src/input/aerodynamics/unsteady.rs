@@ -1,5 +1,7 @@
 //! Constants of unsteady models of an airfoil: `unsteady = { ... }`.
 
+use std::ops::RangeInclusive;
+
 use rotor_aero::airfoil::UnsteadyConstants;
 use rotor_aero::unsteady::StallConstants;
 use shared_geom::document::schema::ValueKind::{
@@ -59,6 +61,9 @@ const ANGLES: [(&Key<Option<f64>>, &str); 4] = [
     (&SCALE_BEYOND, "S2"),
 ];
 
+/// Mach numbers of the published constants [-].
+const PUBLISHED: RangeInclusive<f64> = 0.3..=0.8;
+
 /// Keys of numbers, with the names of the constants in files.
 const NUMBERS: [(&Key<Option<f64>>, &str); 10] = [
     (&SLOPE, "C_nalpha"),
@@ -86,7 +91,12 @@ pub(super) fn read(table: &Table<'_>, mut found: UnsteadyConstants) -> Option<Un
     });
     let numbers = NUMBERS.map(|(key, name)| (name, table.get(key)));
     table.finish();
-    if let Some(mach) = mach? {
+    let mach = mach?;
+    if mach.is_some_and(|mach| !PUBLISHED.contains(&mach)) {
+        table.wrong(&MACH, "a Mach number from 0.3 to 0.8");
+        return None;
+    }
+    if let Some(mach) = mach {
         for (name, value) in StallConstants::naca0012(mach).values() {
             found.set(name, value);
         }

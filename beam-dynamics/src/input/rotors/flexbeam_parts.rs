@@ -155,9 +155,11 @@ fn snubber(table: &Table<'_>, line: Option<&Line>, [inner, root]: [f64; 2]) -> O
 
 /// The node of a flexbeam that holds a snubber; notes it if there is none.
 fn holder(table: &Table<'_>, line: &Line, offset: f64) -> Option<String> {
-    let found = line.node_at(offset);
+    // the outer end is one piece with a rigid tube
+    let found = line.node_at(offset).filter(|node| node != "tip");
     if found.is_none() {
         let mut nodes = line.nodes.clone();
+        nodes.pop();
         nodes.sort_by(|a, b| (a - offset).abs().total_cmp(&(b - offset).abs()));
         let nearest = nodes.first().copied();
         table.note(&SNUBBER_TO, &RotorProblem::NoHolder { offset, nearest });

@@ -2,6 +2,7 @@
 
 use shared_geom::error::{Explain, quoted};
 
+use crate::input::rotor_speed::RPM;
 use crate::input::short_number;
 
 /// A problem of a `[[rotor]]`.
@@ -168,6 +169,14 @@ pub enum RotorProblem {
         /// Offset of the nearest node \[m\]; `None` for a flexbeam from a file.
         nearest: Option<f64>,
     },
+    /// A governor that holds no forward speed.
+    #[error("the governor of rotor \"{name}\" holds {} rpm, expected a speed above zero", short_number(*.speed / RPM, 6))]
+    Governed {
+        /// Name of the rotor.
+        name: String,
+        /// The speed \[rad/s\].
+        speed: f64,
+    },
     /// Links without a lever about the pitch axis.
     #[error("\"horn\" is on the pitch axis, expected a distance ahead or behind")]
     NoLever,
@@ -259,6 +268,9 @@ impl Explain for RotorProblem {
             }
             Self::NoHolder { .. } => {
                 "end a piece of [rotor.flexbeam] there, or give the snubber the \"offset\" of a node"
+            }
+            Self::Governed { .. } => {
+                "give [rotor.drive.governor] a \"speed\"; \"axis\" has the sense of rotation"
             }
             Self::NoAzimuth { .. } => {
                 "give \"speed\", or \"angle\" as an expression, \"= 900*t^2\""

@@ -81,6 +81,12 @@ fn governor(table: &Table<'_>, speed: Option<f64>, name: &str) -> Option<Governo
         table.note("", &RotorProblem::Idle { name, key, needed });
         return None;
     };
+    // its torque is not negative
+    if speed <= 0.0 {
+        let name = name.to_owned();
+        table.note("", &RotorProblem::Governed { name, speed });
+        return None;
+    }
     Some(Governor {
         speed,
         proportional: proportional?,

@@ -2,7 +2,7 @@
 //! the size of turbulence boxes.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{OutsideGrid, TooSmall, WindField};
+use rotor_aero::wind::{OutsideGrid, Shear, TooSmall, WindField};
 use shared_geom::document::Table;
 
 use super::problem::AirProblem;
@@ -83,6 +83,45 @@ pub(in crate::input) fn check_mach<'a>(
             None => root.note("air", &problem),
         }
     }
+}
+
+/// Notes a wind with a law of the height if the middle of the blades, by positions on them, is at or
+/// below the ground, where it has no speed.
+pub(in crate::input) fn check_ground(
+    root: &Table<'_>,
+    air: &Air,
+    positions: impl Iterator<Item = Vector3<f64>>,
+) {
+    let wind = air.wind();
+    if wind.mean.at(0.0).shear == Shear::Uniform {
+        return;
+    }
+    let heights = positions.map(|position| wind.frame.point(&position.into())[2]);
+    let range = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
+        [low.min(height), high.max(height)]
+    });
+    if range[0] + range[1] > 0.0 || range[0] > range[1] {
+        return;
+    }
+    let Some(table) = root.table("air") else {
+        return;
+    };
+    let middle = 0.5 * (range[0] + range[1]);
+    let problem = AirProblem::Value {
+        key: "ground",
+        found: format!(
+            "{} m below the middle of the blades",
+            short_number(middle, 6)
+        ),
+        expected: "a point below them, since the wind has a law of the height".to_owned(),
+        help: "give a point on the ground as \"ground\" of [air.wind]",
+    };
+    let key = if table.has(&EVENT) {
+        EVENT.name()
+    } else {
+        WIND.name()
+    };
+    table.note(key, &problem);
 }
 
 /// Notes turbulence boxes that are too small for a rotor of a `radius` \[m\], of which the center

@@ -3,7 +3,9 @@
 use rotor_aero::wind::{GeneratorInput, Mean, MeanWind, TurbulenceBox, Wind, generate};
 use shared_geom::document::Table;
 
-use super::event::{Condition, DURATION, KIND, TIME_STEP, Turbulent, WIDTH, hub_speed};
+use super::event::{
+    Condition, DURATION, GeneratedBox, KIND, POINTS, TIME_STEP, Turbulent, WIDTH, hub_speed,
+};
 use super::mean::MeanCard;
 use super::problem::AirProblem;
 use super::turbulence::OF_SCALE;
@@ -11,6 +13,9 @@ use super::{EVENT, TURBULENCE};
 
 /// Most planes of a generated box.
 const MOST_PLANES: f64 = 1e6;
+/// Most operations of its generation, planes by the sixth power of the points along a side: half a
+/// minute.
+const MOST_WORK: f64 = 2e11;
 
 /// Adds a condition to the wind of `table`; problems are noted.
 pub(super) fn add(condition: Condition, wind: &mut Wind, table: &Table<'_>) -> Option<()> {
@@ -96,42 +101,65 @@ fn scaled(
     is_sound.then(|| found.scaled_to(sigma, statistics))
 }
 
+/// The first wrong size of a generated box of some planes, at a height of the hub \[m\]: its key,
+/// the value, the expected value and the remedy.
+fn wrong_size(
+    sizes: &GeneratedBox,
+    hub_height: f64,
+    planes: f64,
+) -> Option<(&'static str, String, String, &'static str)> {
+    let points = sizes.points;
+    if !(4.0..=MOST_PLANES).contains(&planes) {
+        return Some((
+            DURATION.name(),
+            format!("{planes} times \"{}\"", TIME_STEP.name()),
+            format!("4 to {MOST_PLANES} planes"),
+            "give another duration or time step",
+        ));
+    }
+    if points.is_multiple_of(2) {
+        return Some((
+            POINTS.name(),
+            points.to_string(),
+            "an odd number: the hub is at a point".to_owned(),
+            "give one more",
+        ));
+    }
+    if planes * (points as f64).powi(6) > MOST_WORK {
+        let most = (MOST_WORK / planes).powf(1.0 / 6.0).floor();
+        return Some((
+            POINTS.name(),
+            points.to_string(),
+            format!("at most {most} with {planes} planes"),
+            "give fewer points, a shorter duration, or a box of a file in [air.turbulence]",
+        ));
+    }
+    (sizes.width >= 2.0 * hub_height).then(|| {
+        (
+            WIDTH.name(),
+            format!("{} m", sizes.width),
+            format!(
+                "less than {} m, so that the box is above the ground",
+                2.0 * hub_height
+            ),
+            "give a smaller width, or the height of the hub above the ground",
+        )
+    })
+}
+
 /// The generated box of a condition, without the mean wind, whose speed at the hub is `own` \[m/s\].
 fn generated(turbulent: &Turbulent, own: f64, event: &Table<'_>) -> Option<TurbulenceBox> {
     let speed = hub_speed(event, own)?;
     let (turbine, sizes) = (&turbulent.turbine, &turbulent.generated);
     let (points, planes) = (sizes.points, (sizes.duration / sizes.time_step).ceil());
-    let wrong = |key, found: String, expected: String, help| {
-        event.note(
+    if let Some((key, found, expected, help)) = wrong_size(sizes, turbine.hub_height, planes) {
+        let problem = AirProblem::Value {
             key,
-            &AirProblem::Value {
-                key,
-                found,
-                expected,
-                help,
-            },
-        );
-    };
-    if !(4.0..=MOST_PLANES).contains(&planes) {
-        let expected = format!("4 to {MOST_PLANES} planes");
-        wrong(
-            DURATION.name(),
-            format!("{planes} times \"{}\"", TIME_STEP.name()),
+            found,
             expected,
-            "give another duration or time step",
-        );
-        return None;
-    }
-    if sizes.width >= 2.0 * turbine.hub_height {
-        wrong(
-            WIDTH.name(),
-            format!("{} m", sizes.width),
-            format!(
-                "less than {} m, so that the box is above the ground",
-                2.0 * turbine.hub_height
-            ),
-            "give a smaller width, or the height of the hub above the ground",
-        );
+            help,
+        };
+        event.note(key, &problem);
         return None;
     }
     let sigma = turbulent.sigma(speed);

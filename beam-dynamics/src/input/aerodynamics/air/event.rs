@@ -41,7 +41,7 @@ keys! {
     /// Time between planes of generated turbulence.
     pub(super) TIME_STEP: f64 = "time_step", [Positive(Dimension::TIME)], or "0.25 s" = 0.25, "0.1";
     /// Number of points of generated turbulence across the wind, and over the height.
-    POINTS: usize = "points", [Count(64)], or "9" = 9, "15";
+    pub(super) POINTS: usize = "points", [Count(64)], or "9" = 9, "15";
     /// Width and height of generated turbulence, whose middle is at the hub.
     pub(super) WIDTH: Option<f64> = "width", [Positive(Dimension::LENGTH)], or "1.2 diameters",
         "160";

@@ -358,6 +358,14 @@ fn wrong_parts_are_explained() {
              end a piece of [rotor.flexbeam] there, or give the snubber the \"offset\" of a node",
         ),
         (
+            rotor(
+                3,
+                "speed = 1\n[rotor.snubber]\nto = \"flexbeam\"\noffset = 0.6",
+                RUN,
+            ),
+            "the snubber is at 0.6 m, where the flexbeam has no node: the nearest is at 0.5375 m",
+        ),
+        (
             rotor(3, "speed = 1\n[rotor.torque_tube]\ncenter = 0.2", RUN),
             "rotor \"r\" has \"center\" without \"mass of [rotor.torque_tube]\"",
         ),

@@ -143,6 +143,10 @@ const WRONG: [(&str, &str); 6] = [
         "rotor \"r\" has \"governor\" and \"torque\", expected one of them",
     ),
     (
+        "speed = 0\n[rotor.drive]\ninertia = 1\ngovernor = { proportional = 1 }",
+        "the governor of rotor \"r\" holds 0 rpm, expected a speed above zero",
+    ),
+    (
         "torque = 1\n[rotor.drive]\ninertia = 1\ngovernor = { proportional = 1 }",
         "rotor \"r\" has \"governor\" without \"speed\"",
     ),

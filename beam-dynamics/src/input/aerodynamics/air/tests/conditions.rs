@@ -105,6 +105,18 @@ fn wrong_turbulence() {
             &["\"duration\" is 2 times \"time_step\", expected 4 to 1000000 planes"],
         ),
         (
+            &of(WIND, "NTM", "points = 8\n"),
+            &["\"points\" is 8, expected an odd number: the hub is at a point"],
+        ),
+        (
+            &of(
+                WIND,
+                "NTM",
+                "points = 33\nduration = 600\ntime_step = 0.1\n",
+            ),
+            &["\"points\" is 33, expected at most 17 with 6000 planes"],
+        ),
+        (
             &of(WIND, "NTM", "reversed = true\n"),
             &["\"reversed\" has no effect: it belongs to events"],
         ),
@@ -139,6 +151,26 @@ fn a_generated_box_must_be_as_large_as_the_rotor() {
         "the top is 99 m, expected at least 104 m",
         "the bottom is 69 m, expected at most 64 m",
         "give a larger \"width\"",
+    ] {
+        assert!(shown.contains(words), "{words}\n{shown}");
+    }
+}
+
+/// At the height of the ground the profile of EWM has no speed.
+#[test]
+fn a_rotor_at_the_ground_has_no_wind() {
+    let run = "[transient]\nto = 1\nstep = 0.1\n";
+    let of = |ground: f64| {
+        format!(
+            "[air.wind]\nground = [0, 0, {ground}]\n[air.event]\nkind = \"EWM 50\"\nclass = \"I\"\n\
+             category = \"A\"\nhub_height = 84\ndiameter = 40\n"
+        )
+    };
+    assert!(model(&of(0.0), run).is_ok());
+    let shown = reported(model(&of(85.0), run));
+    for words in [
+        "\"ground\" is -1 m below the middle of the blades, expected a point below them",
+        "give a point on the ground as \"ground\" of [air.wind]",
     ] {
         assert!(shown.contains(words), "{words}\n{shown}");
     }
