@@ -121,7 +121,7 @@ fn free_wheels_transmit_no_negative_torque() {
 }
 
 /// Wrong drive trains, and the problem of each.
-const WRONG: [(&str, &str); 6] = [
+const WRONG: [(&str, &str); 7] = [
     (
         "speed = 1\n[rotor.drive]\n",
         "rotor \"r\" has \"drive\" without \"stiffness\"",
