@@ -447,11 +447,10 @@ fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) 
     });
     aerodynamics::check_mach(root, air, (&rotation, analyses.highest_start()), limits);
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
+    aerodynamics::check_ground(root, air, &rotation.center);
     let end = analyses.times().map(|[_, end]| end);
     let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
-    let nodes = nodes.filter_map(|node| Some(builder.nodes().get(*node)?.position));
-    aerodynamics::check_ground(root, air, nodes.clone());
-    let radii = nodes.map(|position| hub.distance(&position));
+    let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
     let radius = radii.fold(0.0, f64::max);
     if let Some(end) = end {
         aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);

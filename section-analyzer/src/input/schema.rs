@@ -25,7 +25,7 @@ keys! {
     pub(super) NAME: Option<Written> = "name", [Text], or "NAME of the file", "\"spar\"";
     /// Mesh file of gmsh; a relative path is relative to the folder of this file.
     pub(super) MESH: Written = "mesh", [Text]
-        as "the path of a gmsh file, from this file's folder", required, "\"spar.msh\"";
+        as "the path of a mesh (gmsh, Abaqus, VTK, VABS, BECAS), from this file's folder", required, "\"spar.msh\"";
     /// Doubled nodes along the border of two regions: an error, or allowed if slits are intended.
     pub(super) DOUBLED_NODES: usize = "doubled_nodes", [Word(&["error", "allow"])],
         or "\"error\"" = 0, "\"allow\"";

@@ -256,6 +256,11 @@ const WRONG: &[(&str, &str, &str)] = &[
     ("\"t.csv\"", "\"u.csv\"", "u.csv"),
     ("side = \"suction\"\n", "", "expected one of \"arc\""),
     (
+        "\"1:20\"",
+        "\"-1:-20\"",
+        "expected a positive length, or \"1:20\"",
+    ),
+    (
         "count = 20, round",
         "count = -3, round",
         "\"count\" is -3, expected a number of plies, zero or more",

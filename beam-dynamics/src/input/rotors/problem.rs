@@ -126,7 +126,7 @@ pub enum RotorProblem {
         reason: &'static str,
     },
     /// A table without the one that uses it.
-    #[error("rotor \"{name}\" has \"{key}\" without \"{needed}\"")]
+    #[error("rotor \"{name}\" has \"{key}\" without \"{needed}\", expected both")]
     Idle {
         /// Name of the rotor.
         name: String,
@@ -260,6 +260,9 @@ impl Explain for RotorProblem {
             Self::TwoDrives { .. } => "\"speed\" beside \"torque\" is the speed at the start",
             Self::NotOfHub { kinds, .. } => {
                 return Some(format!("kinds that have it: {}", quoted(kinds)));
+            }
+            Self::Idle { key, needed, .. } => {
+                return Some(format!("add \"{needed}\", or remove \"{key}\""));
             }
             Self::OfBlade { key } => return Some(blade_help(key).to_owned()),
             Self::HingeOrder { .. } => {

@@ -399,7 +399,10 @@ fn of_file(inner: &Table<'_>, dimension: Dimension) -> Option<(Positions, Vec<f6
     let path = inner.existing(&FILE, &file)?;
     let read = || -> Result<(Positions, Vec<f64>), Diagnostics> {
         let table = ColumnTable::read(&path, REMEDY)?;
-        let in_lengths = table.index("eta").is_none() && table.index("span").is_some();
+        if table.index("eta").is_some() && table.index("span").is_some() {
+            return Err(table.problem(1, &LayupFileProblem::Positions));
+        }
+        let in_lengths = table.index("span").is_some();
         let (position, of) = if in_lengths {
             ("span", Dimension::LENGTH)
         } else {

@@ -32,7 +32,8 @@ impl Value for Taper {
             let text = table.text(key.name)?;
             let slope = text.split_once(':').and_then(|(rise, run)| {
                 let [rise, run] = [rise, run].map(|part| part.trim().parse::<f64>().ok());
-                Some(Self::Slope(run? / rise?))
+                rise.filter(|rise| *rise > 0.0)
+                    .and_then(|rise| Some(Self::Slope(run? / rise)))
             });
             let length = || {
                 parse_quantity(&text, Dimension::LENGTH)

@@ -85,35 +85,24 @@ pub(in crate::input) fn check_mach<'a>(
     }
 }
 
-/// Notes a wind with a law of the height if the middle of the blades, by positions on them, is at or
-/// below the ground, where it has no speed.
-pub(in crate::input) fn check_ground(
-    root: &Table<'_>,
-    air: &Air,
-    positions: impl Iterator<Item = Vector3<f64>>,
-) {
+/// Notes a wind with a law of the height if the center of a rotor is at or below the ground, where
+/// it has no speed.
+pub(in crate::input) fn check_ground(root: &Table<'_>, air: &Air, center: &Vector3<f64>) {
     let wind = air.wind();
-    if wind.mean.at(0.0).shear == Shear::Uniform {
-        return;
-    }
-    let heights = positions.map(|position| wind.frame.point(&position.into())[2]);
-    let range = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
-        [low.min(height), high.max(height)]
-    });
-    if range[0] + range[1] > 0.0 || range[0] > range[1] {
+    let [_, _, height] = wind.frame.point(&(*center).into());
+    if height > 0.0 || wind.mean.at(0.0).shear == Shear::Uniform {
         return;
     }
     let Some(table) = root.table("air") else {
         return;
     };
-    let middle = 0.5 * (range[0] + range[1]);
     let problem = AirProblem::Value {
         key: "ground",
         found: format!(
-            "{} m below the middle of the blades",
-            short_number(middle, 6)
+            "{} m below the center of the rotor",
+            short_number(height, 6)
         ),
-        expected: "a point below them, since the wind has a law of the height".to_owned(),
+        expected: "a point below it, since the wind has a law of the height".to_owned(),
         help: "give a point on the ground as \"ground\" of [air.wind]",
     };
     let key = if table.has(&EVENT) {

@@ -124,7 +124,8 @@ fn free_wheels_transmit_no_negative_torque() {
 const WRONG: [(&str, &str); 7] = [
     (
         "speed = 1\n[rotor.drive]\n",
-        "rotor \"r\" has \"drive\" without \"stiffness\"",
+        "rotor \"r\" has \"drive\" without \"stiffness\", expected both\n  help: add \"stiffness\", or remove \
+         \"drive\"",
     ),
     (
         "speed = 1\n[rotor.drive]\nstiffness = 1\ninertia = 1",

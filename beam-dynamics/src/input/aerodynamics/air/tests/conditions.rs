@@ -169,7 +169,7 @@ fn a_rotor_at_the_ground_has_no_wind() {
     assert!(model(&of(0.0), run).is_ok());
     let shown = reported(model(&of(85.0), run));
     for words in [
-        "\"ground\" is -1 m below the middle of the blades, expected a point below them",
+        "\"ground\" is -1 m below the center of the rotor, expected a point below it",
         "give a point on the ground as \"ground\" of [air.wind]",
     ] {
         assert!(shown.contains(words), "{words}\n{shown}");
