@@ -295,13 +295,8 @@ impl Limits<'_> {
             Family::Uniform | Family::Yield => None,
         };
         let fiber = fiber?;
-        if fiber.is_none() && matrix.is_some() {
-            self.table
-                .wrong(&M_MATRIX, "\"m\" beside it, the slope along the fiber");
-            return None;
-        }
         let slopes = Slopes {
-            fiber: fiber?,
+            fiber: fiber.or(matrix)?,
             matrix: matrix.or(fiber)?,
         };
         self.is_sound(slopes.check()).then_some(slopes)

@@ -294,12 +294,6 @@ fn wrong_strengths_of_plies_are_reported() {
          than 1",
         "  help: it is F12 / sqrt(F11 F22), without a unit; -0.5 is the usual choice",
     ]);
-    let strength =
-        "[material.steel.strength]\nxt = 1\nxc = 1\nyt = 1\nyc = 1\ns12 = 1\nm_matrix = 8\n";
-    workplace.write("a.section.toml", &format!("{section}{strength}"));
-    workplace.is_refused(&[
-        "error: a.section.toml:34: \"m_matrix\" is 8, expected \"m\" beside it, the slope along the fiber",
-    ]);
     let strength = "[material.steel.strength]\nyield = 1\n";
     workplace.write("a.section.toml", &format!("{section}{strength}"));
     workplace.is_refused(&[

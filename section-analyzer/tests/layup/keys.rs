@@ -169,8 +169,12 @@ fn courses_are_followed_between_close_positions() {
         of_cap(&text, eta).from - of_cap(TEXT, eta).from
     };
     assert!(shifted("constant", 0.3).abs() < 1e-12);
-    let [quarter, half] = [0.75, 0.5].map(|eta| shifted("linear", eta));
-    assert!((quarter / half - 2.5).abs() < 1e-6, "{quarter} {half}");
+    // 0.05 m of a contour of the chord 1.5 m, 0.02 m of 2 m
+    let [outer, inner] = [0.75, 0.5].map(|eta| shifted("linear", eta));
+    assert!(
+        (outer / inner - 2.5 * 2.0 / 1.5).abs() < 1e-6,
+        "{outer} {inner}"
+    );
 }
 
 /// The file of a layup has the same sections, which can be meshed.
