@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::strength::critical;
 use super::text::{csv, table};
 use crate::input::span_loads::ListedStation;
 use crate::mesh::short;
@@ -131,17 +132,8 @@ pub fn damage_text(rows: &[DamageRow], duration: f64) -> String {
         "component",
     ];
     let mut lines = vec![heading.map(str::to_owned).to_vec()];
-    let mut stations: Vec<&DamageRow> = Vec::new();
-    for row in rows {
-        match stations
-            .last_mut()
-            .filter(|known| known.station == row.station)
-        {
-            Some(known) if row.found.damage > known.found.damage => *known = row,
-            Some(_) => {}
-            None => stations.push(row),
-        }
-    }
+    let is_worse = |row: &DamageRow, known: &DamageRow| row.found.damage > known.found.damage;
+    let stations = critical(rows, |row| &row.station, is_worse);
     lines.extend(stations.iter().map(|row| {
         vec![
             row.station.label(),

@@ -47,6 +47,26 @@ pub fn strength_csv(rows: &[ReserveRow]) -> String {
     csv(std::iter::once(heading).chain(cells))
 }
 
+/// The row of each station, whose rows follow each other, than which no other one is worse.
+pub(super) fn critical<'a, R>(
+    rows: &'a [R],
+    station: impl Fn(&R) -> &ListedStation,
+    is_worse: impl Fn(&R, &R) -> bool,
+) -> Vec<&'a R> {
+    let mut stations: Vec<&'a R> = Vec::new();
+    for row in rows {
+        match stations
+            .last_mut()
+            .filter(|known| station(known) == station(row))
+        {
+            Some(known) if is_worse(row, known) => *known = row,
+            Some(_) => {}
+            None => stations.push(row),
+        }
+    }
+    stations
+}
+
 /// The critical ply of each station, and of all.
 pub fn strength_text(rows: &[ReserveRow]) -> String {
     let heading = [
@@ -58,18 +78,12 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
         "instant",
     ];
     let mut lines = vec![heading.map(str::to_owned).to_vec()];
-    let mut stations: Vec<&ReserveRow> = Vec::new();
     let least = |row: &ReserveRow| row.found.worst.reserve_factor;
-    for row in rows {
-        match stations
-            .last_mut()
-            .filter(|known| known.station == row.station)
-        {
-            Some(known) if least(row) < least(known) => *known = row,
-            Some(_) => {}
-            None => stations.push(row),
-        }
-    }
+    let stations = critical(
+        rows,
+        |row| &row.station,
+        |row, known| least(row) < least(known),
+    );
     lines.extend(stations.iter().map(|row| {
         vec![
             row.station.label(),
