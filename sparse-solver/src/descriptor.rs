@@ -55,6 +55,3 @@ pub fn minimal(system: &Descriptor, rate: f64) -> Result<Minimal, NotMinimal> {
     let states = free.indices.iter().map(state).collect();
     Ok(scaled.unscaled(states, [&a, &b], [&x, &y], residual))
 }
-
-#[cfg(test)]
-mod tests;

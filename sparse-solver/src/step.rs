@@ -285,6 +285,3 @@ fn worst(
         worst.max(scale * residual[row].abs() / (scale * sizes[row]).max(floor))
     })
 }
-
-#[cfg(test)]
-mod tests;

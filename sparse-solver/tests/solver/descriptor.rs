@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use super::{Descriptor, DescriptorState, NotMinimal, minimal};
+use sparse_solver::{Descriptor, DescriptorState, NotMinimal, minimal};
 
 /// A system from entries `(row, column, value)` of E, K and F.
 fn system(size: [usize; 2], entries: [&[(usize, usize, f64)]; 3]) -> Descriptor {
