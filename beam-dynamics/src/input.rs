@@ -351,6 +351,9 @@ fn cards(
     let gravity = loads::gravity(&root, &builder);
     let weight = gravity.as_ref().map_or_else(Vector3::zeros, |own| own.0);
     let air = aerodynamics::read(&root, &weight, builder.drives());
+    if air.air.is_none() && root.has("air") {
+        builder.note_broken_air();
+    }
     builder.set_aerodynamics(air);
     parts(&root, &mut builder);
     control::read(control, &mut builder);

@@ -259,7 +259,11 @@ fn air(
             None => Vector3::new(at, 0.0, 0.0),
         },
     };
-    strips::read(&air, builder, (name, &line)).map(Some)
+    let strips = strips::read(&air, builder, (name, &line));
+    if strips.is_none() {
+        builder.note_broken_air();
+    }
+    strips.map(Some)
 }
 
 /// Nodes and beams of a blade, and its masses on them.

@@ -94,6 +94,8 @@ pub(super) struct ModelBuilder {
     watched_electrodes: Vec<([usize; 2], String, Scalar)>,
     /// Whether some beam or other user of a node could not be attached.
     loose_ends: bool,
+    /// Whether the air or strips could not be read.
+    broken_air: bool,
     broken: bool,
 }
 
@@ -133,6 +135,7 @@ impl ModelBuilder {
             watched_energies: Vec::new(),
             watched_electrodes: Vec::new(),
             loose_ends: false,
+            broken_air: false,
             broken: false,
         }
     }

@@ -234,6 +234,28 @@ fn broken_cards_do_not_make_their_names_unknown() {
     assert_eq!(shown.matches("error:").count(), 1, "{shown}");
 }
 
+/// Strips that cannot be read are no reason to refuse columns of strips and of rotors in the air.
+#[test]
+fn a_broken_air_brings_no_errors_of_columns() {
+    let hover = include_str!("../../../cases/dynamics/hover_rotor/hover_rotor.dynamics.toml");
+    let columns = "[[output.column]]\nname = \"a\"\nquantity = \"angle_of_attack\"\n\
+                   of = \"blade 1\"\nat = 0.7\n[[output.column]]\nname = \"T\"\n\
+                   quantity = \"thrust\"\n";
+    for (from, to) in [
+        ("density = 1.225", "density = -1"),
+        ("at = 0.5, chord = 0.4", "at = 0.5, chord = -4"),
+        ("inflow = \"rotor\"", "inflow = \"motor\""),
+        ("[[inflow]]", "[[inflow]]\nkind = \"moment\""),
+    ] {
+        assert!(hover.contains(from));
+        let text = format!("{hover}{columns}").replace(from, to);
+        let shown = reported(read_beside(&text, &[]));
+        assert_eq!(shown.matches("error:").count(), 1, "{to}: {shown}");
+    }
+    let text = format!("{hover}{columns}").replace("at = 0.7", "at = 0.01");
+    assert!(reported(read_beside(&text, &[])).contains("0.01"));
+}
+
 #[test]
 fn doubled_names_are_reported_with_the_first_line() {
     let cards = format!("{BEAM}{MODES}");

@@ -22,6 +22,18 @@ impl ModelBuilder {
             .extend(names.into_iter().flatten().cloned());
     }
 
+    /// Notes that the air or the strips of a card could not be read: uses of strips and of rotors in the
+    /// air are not reported.
+    pub fn note_broken_air(&mut self) {
+        self.broken = true;
+        self.broken_air = true;
+    }
+
+    /// Whether the air or strips could not be read.
+    pub fn has_broken_air(&self) -> bool {
+        self.broken_air
+    }
+
     /// Whether a name may be one of a part of a blade or a rotor that could not be read.
     pub fn is_of_broken_part(&self, name: &str) -> bool {
         let blade = name.split_once('/').map(|parts| parts.0);

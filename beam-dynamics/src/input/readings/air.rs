@@ -27,7 +27,7 @@ pub(super) fn of_strip(
     let (name, at, strip) = (name?, at?, strip?);
     let blades = builder.air_blades();
     let Some(blade) = blades.iter().find(|blade| blade.name == name) else {
-        if !builder.is_broken_blade(&name) {
+        if !builder.has_broken_air() && !builder.is_broken_blade(&name) {
             let known = blades.iter().map(|blade| blade.name.clone()).collect();
             table.note(OF, &ReadingProblem::NoStrips { name, known });
         }
@@ -128,6 +128,7 @@ fn rotor(table: &Table<'_>, builder: &ModelBuilder) -> Option<String> {
         None if known.len() == 1 => return known.pop(),
         Some(name) if known.contains(&name) => return Some(name),
         Some(name) if builder.is_of_broken_part(&name) => return None,
+        _ if builder.has_broken_air() => return None,
         None if builder.has_broken_rotors() => return None,
         Some(name) => (OF, format!("\"{name}\" is not a rotor in the air")),
         None => {

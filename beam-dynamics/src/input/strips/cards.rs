@@ -73,7 +73,7 @@ pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
         let added = card(table, &label, builder);
         table.finish();
         if !is_new || added.is_none() {
-            builder.note_broken();
+            builder.note_broken_air();
         }
     }
 }
