@@ -180,7 +180,8 @@ fn sections_without_lift_and_odd_inputs_have_an_outcome() {
         }
     }
     assert_eq!(solve(&ring, 0.1, 0.0, 0.0, drag).outcome, Outcome::AtRest);
-    let tip = plain(1.0);
+    let mut tip = plain(1.0);
+    tip.options.tip_loss = true;
     let end = solve(&tip, 0.1, 5.0, 50.0, drag);
     assert_eq!((end.outcome, end.coefficients.drag), (Outcome::End, 0.0));
     let mut empty = plain(0.5);
