@@ -257,6 +257,16 @@ fn mann(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Option<MannInput>>
     };
     let points = counts(table, points)?;
     let speed = speed.or_else(|| mean.map(|mean| mean.speed(hub_height, 0.0)))?;
+    if speed == 0.0 {
+        let problem = AirProblem::Value {
+            key: "speed",
+            found: "0 m/s at the hub".to_owned(),
+            expected: "the speed by which the planes of a Mann box pass".to_owned(),
+            help: "give \"speed\" in [air.wind], or here",
+        };
+        table.note(&FILES, &problem);
+        return Some(None);
+    }
     let order = if reversed {
         PlaneOrder::LastArrives
     } else {

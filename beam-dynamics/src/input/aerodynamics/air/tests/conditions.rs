@@ -164,6 +164,10 @@ fn wrong_turbulence() {
             &["\"points\" is 33, expected at most 17 with 6000 planes"],
         ),
         (
+            &mann.replace("wind = [6, 0, 0]", "altitude = 0"),
+            &["a.toml:5: \"speed\" is 0 m/s at the hub, expected the speed by which"],
+        ),
+        (
             &of(WIND, "NTM", "reversed = true\n"),
             &["\"reversed\" has no effect: it belongs to events"],
         ),
