@@ -283,7 +283,7 @@ pub(super) struct Results {
     /// Draw no figures; removes the figures of an earlier run
     #[arg(long)]
     pub no_figures: bool,
-    /// Print no report; problems are still reported on the error stream
+    /// Print no report; problems and remarks are still reported on the error stream
     #[arg(long, short)]
     pub quiet: bool,
 }

@@ -2,7 +2,7 @@
 
 use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH};
 
-use super::text::{DAMPED, RPM};
+use super::text::DAMPED;
 use crate::case::{FrequencyUnit, Words};
 use crate::result::{CriticalSpeed, FixedTable, FrequencyTable, Measured, ModeKind};
 
@@ -25,8 +25,6 @@ const SIZE: (u32, u32) = (WIDTH, 1250);
 const DAMPING: u32 = 480;
 /// Position of the legend \[figure pixels\].
 const LEGEND: f64 = 70.0;
-/// Title of the horizontal axis.
-const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
@@ -36,7 +34,7 @@ const COLORS: usize = CATEGORIES.len() - 1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FanPlot {
     title: String,
-    /// Rotor speeds \[rpm\].
+    /// Rotor speeds in the unit that belongs to that of the frequencies.
     speeds: Vec<f64>,
     /// Unit of all frequencies.
     unit: FrequencyUnit,
@@ -46,9 +44,9 @@ pub struct FanPlot {
     /// Multiples of the rotor speed that are drawn; `None`: the first ten, and some above.
     multiples: Option<Vec<u32>>,
     curves: Vec<Curve>,
-    /// Measured speeds \[rpm\] and frequencies.
+    /// Measured speeds and frequencies.
     measured: Vec<[f64; 2]>,
-    /// Critical speeds \[rpm\] and frequencies.
+    /// Critical speeds and frequencies.
     critical: Vec<[f64; 2]>,
     /// Patterns of lines with their meaning; none where they only distinguish modes.
     patterns: Vec<(usize, String)>,
@@ -62,7 +60,7 @@ struct Curve {
     kinds: Vec<Option<ModeKind>>,
     /// Frequencies in the unit of the plot.
     frequencies: Vec<Option<f64>>,
-    /// Speeds \[rpm\] at which the line is reflected at zero.
+    /// Speeds at which the line is reflected at zero.
     zeros: Vec<f64>,
     color: Color,
     /// Damping ratios \[%\].
@@ -85,9 +83,10 @@ impl FanPlot {
             .iter()
             .filter_map(|point| {
                 let value = plot.unit.value(point.frequency, point.speed)?;
-                Some([point.speed * RPM, value])
+                Some([plot.unit.speed(point.speed), value])
             })
             .collect();
+        plot.mark(&table.critical_of_blade(&table.harmonics()));
         plot.cut();
         (plot.speeds.len() > 1 && !plot.curves.is_empty()).then_some(plot)
     }
@@ -99,13 +98,18 @@ impl FanPlot {
         plot.multiples = Some(table.harmonics());
         plot.patterns = fixed::patterns(fixed, table);
         plot.curves = fixed::curves(fixed, table);
-        let position = |critical: &CriticalSpeed| {
-            let value = plot.unit.value(critical.frequency, critical.speed)?;
-            Some([critical.speed * RPM, value])
-        };
-        plot.critical = fixed.critical.iter().filter_map(position).collect();
+        plot.mark(&fixed.critical);
         plot.cut();
         plot
+    }
+
+    /// Marks critical speeds.
+    fn mark(&mut self, critical: &[CriticalSpeed]) {
+        let position = |critical: &CriticalSpeed| {
+            let value = self.unit.value(critical.frequency, critical.speed)?;
+            Some([self.unit.speed(critical.speed), value])
+        };
+        self.critical = critical.iter().filter_map(position).collect();
     }
 
     /// A plot of `table` without curves.
@@ -114,7 +118,7 @@ impl FanPlot {
         let chosen = !style.harmonics.is_empty() || table.blades() > 1;
         Self {
             title: table.name.clone(),
-            speeds: table.speeds.iter().map(|speed| speed * RPM).collect(),
+            speeds: table.speeds.iter().map(|s| style.unit.speed(*s)).collect(),
             unit: style.unit,
             axis,
             words: style.words,
@@ -143,6 +147,11 @@ impl FanPlot {
 }
 
 impl FanPlot {
+    /// Title of the horizontal axis.
+    fn speed_title(&self) -> String {
+        format!("rotor speed [{}]", self.unit.speed_word())
+    }
+
     /// Title of the vertical axis.
     fn axis_title(&self) -> String {
         format!("{} [{}]", self.axis, self.unit.word())
@@ -222,7 +231,8 @@ impl Figure for FanPlot {
         if self.is_damped() {
             damping::draw(drawing, self, &axes);
         }
-        let below = (!self.is_damped()).then_some(SPEED);
+        let title = self.speed_title();
+        let below = (!self.is_damped()).then_some(title.as_str());
         axes.draw(drawing, below, &self.axis_title());
         drawing.title(&self.title, [axes.left, 40.0]);
         let (mut top, space) = (LEGEND, f64::from(WIDTH) - axes.left);
