@@ -14,8 +14,10 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
 mod constants;
 mod course;
+mod fills;
 mod keys;
 mod layers;
+mod names;
 mod place;
 mod prevabs;
 mod problem;
@@ -26,6 +28,7 @@ mod taper;
 mod windio;
 
 pub use course::Course;
+pub use fills::{FillBound, WrittenFill};
 pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
@@ -34,7 +37,7 @@ pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;
 
-use keys::{LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use keys::{FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
 
@@ -49,6 +52,8 @@ pub struct Layup {
     pub layers: Vec<WrittenLayer>,
     /// The webs.
     pub webs: Vec<WrittenWeb>,
+    /// Materials that fill the spaces between shell and webs.
+    pub fills: Vec<WrittenFill>,
     /// Largest length of cells \[m\].
     pub size: Option<f64>,
     /// The reference line of the blade.
@@ -180,25 +185,27 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let layers = root.each(&LAYERS, |table| known.layers(table));
     let layers: Option<Vec<WrittenLayer>> = layers.map(|layers| layers.concat());
     let webs = root.each(&WEBS, |table| known.web(table));
+    let fills = root.each(&FILLS, |table| known.fill(table));
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     let line = root.nested(&LINE, read_line);
     let stations = span::stations(&root);
     root.finish();
-    if let (Some(layers), Some(webs)) = (&layers, &webs) {
-        for (line, problem) in doubled_names(layers, webs) {
+    if let (Some(layers), Some(webs), Some(fills)) = (&layers, &webs, &fills) {
+        for (line, problem) in wrong_names(layers, webs, fills) {
             document.note(line, &problem);
         }
     }
-    let rest = (places, size.zip(line).zip(stations));
+    let rest = (places.zip(fills), size.zip(line).zip(stations));
     let mut layup = match (shape, layers, webs, rest) {
-        (Some(Some(shape)), Some(layers), Some(webs), (Some(places), Some(rest))) => {
+        (Some(Some(shape)), Some(layers), Some(webs), (Some((places, fills)), Some(rest))) => {
             let ((size, line), stations) = rest;
             Some(Layup {
                 shape,
                 places,
                 layers,
                 webs,
+                fills,
                 size: size.flatten(),
                 line,
                 stations,
@@ -214,11 +221,21 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     if let Some(Err(problem)) = layup.as_mut().map(Layup::divide_lengths) {
         document.note(shape_line, &problem);
     }
+    if let Some(layup) = &mut layup {
+        layup.remarks = layup.idle_places();
+        for (line, problem) in layup.wrong_places() {
+            document.note(line, &problem);
+        }
+    }
     document.finish(layup)
 }
 
-/// Names that are given twice, with their lines.
-fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, LayupFileProblem)> {
+/// Names that are given twice, and unknown webs of fills, with their lines.
+fn wrong_names(
+    layers: &[WrittenLayer],
+    webs: &[WrittenWeb],
+    fills: &[WrittenFill],
+) -> Vec<(usize, LayupFileProblem)> {
     let mut known: Vec<(&str, usize)> = Vec::new();
     let mut problems = Vec::new();
     let plies = webs.iter().flat_map(|web| &web.plies);
@@ -226,13 +243,24 @@ fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, La
         .iter()
         .chain(plies)
         .map(|layer| (layer.name.as_str(), layer.line));
-    for (name, line) in names.chain(webs.iter().map(|web| (web.name.as_str(), web.line))) {
+    let names = names.chain(webs.iter().map(|web| (web.name.as_str(), web.line)));
+    for (name, line) in names.chain(fills.iter().map(|fill| (fill.name.as_str(), fill.line))) {
         match known.iter().find(|one| one.0 == name) {
             Some((_, first)) => {
                 let name = name.to_owned();
                 problems.push((line, LayupFileProblem::NameTwice { name, line: *first }));
             }
             None => known.push((name, line)),
+        }
+    }
+    for (name, line) in fills.iter().flat_map(WrittenFill::webs) {
+        if webs.iter().all(|web| web.name != name) {
+            let problem = LayupFileProblem::Unknown {
+                kind: "web",
+                found: name.to_owned(),
+                known: webs.iter().map(|web| web.name.clone()).collect(),
+            };
+            problems.push((line, problem));
         }
     }
     problems
@@ -307,6 +335,8 @@ impl Layup {
             all.extend(layer.to.positions());
         }
         all.extend(self.places.iter().flat_map(|place| place.1.positions()));
+        let of_fills = self.fills.iter().flat_map(WrittenFill::places);
+        all.extend(of_fills.flat_map(Place::positions));
         if all.is_empty() {
             all.push(0.0);
         }
@@ -324,6 +354,18 @@ impl Layup {
             .find(|layer| layer.name == name)
     }
 
+    /// The material of the layer, ply or fill of this name.
+    pub fn material_of(&self, name: &str) -> Option<&str> {
+        let layer = self.layer(name).map(|layer| layer.material.as_str());
+        let fill = || Some(self.fill(name)?.material.as_str());
+        layer.or_else(fill)
+    }
+
+    /// The fill of this name.
+    pub fn fill(&self, name: &str) -> Option<&WrittenFill> {
+        self.fills.iter().find(|fill| fill.name == name)
+    }
+
     /// Makes positions along the span that are lengths parts of the length of the line.
     fn divide_lengths(&mut self) -> Result<(), LayupFileProblem> {
         let length = self.line.as_ref().map(ReferenceLine::length);
@@ -335,6 +377,7 @@ impl Layup {
             plies.extend(&mut web.plies);
             places.extend(&mut web.places);
         }
+        places.extend(self.fills.iter_mut().flat_map(WrittenFill::places_mut));
         for layer in plies {
             courses.push(&mut layer.thickness);
             places.extend([&mut layer.from, &mut layer.to]);
@@ -359,8 +402,9 @@ impl Layup {
                 .find(|web| web.name == name)
                 .map(|web| web.line)
         };
+        let fill = || self.fill(name).map(|fill| fill.line);
         let line = self.layer(name).map(|layer| layer.line);
-        line.or_else(web).unwrap_or(self.shape_line)
+        line.or_else(web).or_else(fill).unwrap_or(self.shape_line)
     }
 
     fn problem(&self, line: usize, problem: &LayupFileProblem) -> Diagnostics {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 
 use crate::input::layup::{
-    Course, Layup, Place, PlaceForm, SIDES, TOWARDS, Taper, Toward, WrittenLayer,
+    Course, FillBound, Layup, Place, PlaceForm, SIDES, TOWARDS, Taper, Toward, WrittenLayer,
 };
 
 /// The layup file of `layup`, read from `source`. Lengths are in its unit.
@@ -74,8 +74,35 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
         }
         writeln!(text, "]")?;
     }
+    write_fills(text, layup)?;
     if let Some(size) = layup.size {
         writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
+    }
+    Ok(())
+}
+
+fn write_fills(text: &mut String, layup: &Layup) -> std::fmt::Result {
+    for fill in &layup.fills {
+        writeln!(text, "\n[[fill]]\nname = {:?}", fill.name)?;
+        writeln!(text, "material = {:?}", fill.material)?;
+        for (key, bound) in ["ahead_of", "aft_of"].iter().zip(&fill.bounds) {
+            match bound {
+                None => {}
+                Some(FillBound::Web(name, _)) => writeln!(text, "{key} = {name:?}")?,
+                Some(FillBound::Plane(places)) => {
+                    let mut entries = entries(&places[0], layup.unit);
+                    entries.retain(|entry| !entry.starts_with("side"));
+                    writeln!(text, "{key} = {{ {} }}", entries.join(", "))?;
+                }
+            }
+        }
+        let angles = [fill.fiber_angle, fill.plane_angle];
+        for (key, value) in ["fiber_angle", "plane_angle"].iter().zip(angles) {
+            if value != 0.0 {
+                writeln!(text, "{key} = {}", angle(value))?;
+            }
+        }
+        writeln!(text, "eta = {:?}", fill.range)?;
     }
     Ok(())
 }

@@ -305,7 +305,7 @@ fn a_section_that_fails_is_named_and_leaves_the_others() {
 fn a_shared_problem_is_reported_once() {
     let text = LAYUP.replace("{ x = 0.45, side = \"suction\" }", "\"web.sution\"");
     let run = blade(&workplace(&text), &["--count", "3", "--no-figures"]);
-    assert_eq!(run.code, 1);
+    assert_eq!(run.code, 2);
     assert_eq!(
         run.err
             .matches("place \"web.sution\" is not in the file")

@@ -147,6 +147,7 @@ fn of_layup() -> Section {
             web("fore", WEBS - 0.5 * wall),
             web("aft", -WEBS + 0.5 * wall),
         ],
+        fills: Vec::new(),
         size: Some(SIZE),
     };
     uniform(&layup.generate().expect("a mesh").mesh)

@@ -7,6 +7,7 @@ mod blades;
 mod closed_forms;
 mod equal;
 mod files;
+mod fills;
 mod keys;
 mod prevabs;
 mod prevabs_files;

@@ -109,6 +109,7 @@ fn valid(seed: u64) -> LayupSection {
         contour,
         webs,
         layers,
+        fills: Vec::new(),
         size: None,
     }
 }

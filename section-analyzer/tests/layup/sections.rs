@@ -94,6 +94,7 @@ fn case(value: &Value) -> Case {
             contour: list(&value["contour"]).iter().map(point).collect(),
             layers,
             webs,
+            fills: Vec::new(),
             size: None,
         },
         laws: laws.iter().map(|(name, law)| material(name, law)).collect(),

@@ -9,7 +9,7 @@ use super::wall::Wall;
 /// Samples of the integral along the contour.
 const SAMPLES: usize = 2000;
 
-/// Areas of the layers and of the plies of webs.
+/// Areas of the layers, of the plies of webs, and of fills.
 pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
     let mut areas: Vec<LayerArea> = Vec::new();
     let nominal = nominal(wall);
@@ -21,11 +21,17 @@ pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<Lay
         });
     }
     let plies = section.webs.iter().flat_map(|web| &web.plies);
-    areas.extend(plies.map(|ply| LayerArea {
-        name: ply.name.clone(),
-        nominal: f64::NAN,
-        meshed: 0.0,
-    }));
+    let fills = section.fills.iter().map(|fill| &fill.name);
+    areas.extend(
+        plies
+            .map(|ply| &ply.name)
+            .chain(fills)
+            .map(|name| LayerArea {
+                name: name.clone(),
+                nominal: f64::NAN,
+                meshed: 0.0,
+            }),
+    );
     for cell in &mesh.cells {
         let group = cell.groups.first().and_then(|first| mesh.groups.get(first));
         let name = group

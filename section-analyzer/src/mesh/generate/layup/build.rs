@@ -7,14 +7,13 @@ use shared_geom::mesh::Mesh;
 use super::super::super::distance;
 use super::super::grid::Grid;
 use super::KIND;
+use super::fill::add_fills;
 use super::problem::LayupProblem;
 use super::stations::{Station, Stations, stations};
-use super::types::LayupSection;
+use super::types::{LayupSection, MOST_CELLS};
 use super::wall::{Column, Edge, Wall};
 use super::webs::{SIDES, Standing, stand};
 
-/// Largest number of cells of a section.
-const MOST_CELLS: usize = 200_000;
 /// Distance of the middle of a side from its chord, as a part of it, beyond which the
 /// sides of a column of cells are straight.
 const CURVED: f64 = 0.12;
@@ -56,9 +55,12 @@ pub(super) fn mesh(section: &LayupSection, wall: &Wall) -> Result<Mesh, LayupPro
         }
         grid.line([pair[0].nodes[0], pair[1].nodes[0]], &curves[side]);
     }
+    let mut lines = Vec::new();
     for web in &webs {
-        add_web(section, wall, web, &rows, &mut grid);
+        let nodes = add_web(wall, web, &rows, &mut grid);
+        lines.extend(Some(nodes).filter(|_| web.plies.is_empty()));
     }
+    add_fills(section, wall.size, &webs, &lines, &mut grid)?;
     Ok(grid.mesh(KIND))
 }
 
@@ -167,8 +169,8 @@ fn middles(wall: &Wall, rows: &[Row], grid: &mut Grid) {
     }
 }
 
-/// Nodes and cells of a web between its feet.
-fn add_web(section: &LayupSection, wall: &Wall, web: &Standing, rows: &[Row], grid: &mut Grid) {
+/// Nodes and cells of a web or line between its feet; returns the nodes of its fore face.
+fn add_web(wall: &Wall, web: &Standing, rows: &[Row], grid: &mut Grid) -> Vec<u32> {
     let foot = |side: usize| -> Vec<u32> {
         let nearest = |s: &f64| {
             let mut best = 0;
@@ -196,16 +198,20 @@ fn add_web(section: &LayupSection, wall: &Wall, web: &Standing, rows: &[Row], gr
         line.push(feet[1][j]);
         lines.push(line);
     }
-    let name = &section.webs[web.web].name;
+    let name = &web.web.name;
     for (j, ply) in web.plies.iter().enumerate() {
-        let ply = &section.webs[web.web].plies[*ply].name;
+        let ply = &web.web.plies[*ply].name;
         let names = [ply.clone(), format!("{ply}@{name}")];
         let (fore, aft) = (&lines[j], &lines[j + 1]);
         for row in 0..count {
             grid.cell([aft[row], aft[row + 1], fore[row + 1], fore[row]], &names);
         }
     }
-    for pair in lines[0].windows(2).rev() {
-        grid.line([pair[1], pair[0]], std::slice::from_ref(name));
+    let fore = lines.swap_remove(0);
+    if !web.plies.is_empty() {
+        for pair in fore.windows(2).rev() {
+            grid.line([pair[1], pair[0]], std::slice::from_ref(name));
+        }
     }
+    fore
 }

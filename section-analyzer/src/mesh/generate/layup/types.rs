@@ -2,7 +2,10 @@
 
 use shared_geom::mesh::Mesh;
 
-use super::problem::LayupProblem;
+use super::problem::{LayupProblem, Upright};
+
+/// Largest number of cells of a section.
+pub(super) const MOST_CELLS: usize = 200_000;
 
 /// A section given by its layup. Lengths are in one unit, the unit of the mesh.
 ///
@@ -19,6 +22,8 @@ pub struct LayupSection {
     pub layers: Vec<Layer>,
     /// Webs.
     pub webs: Vec<Web>,
+    /// Fills of the spaces between shell and webs.
+    pub fills: Vec<Fill>,
     /// Largest length of cells along the contour; 1/120 of its length without it
     /// [unit of the mesh].
     pub size: Option<f64>,
@@ -58,6 +63,26 @@ pub struct WebPly {
     pub name: String,
     /// Thickness [unit of the mesh].
     pub thickness: f64,
+}
+
+/// A material that fills the spaces between shell and webs, those that the fills before it leave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fill {
+    /// Its name, and the physical surface of its cells.
+    pub name: String,
+    /// The web or line behind it; without it it goes to the trailing edge.
+    pub ahead_of: Option<Bound>,
+    /// The web or line ahead of it; without it it goes to the nose.
+    pub aft_of: Option<Bound>,
+}
+
+/// A bound of a fill.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Bound {
+    /// The web of this name.
+    Web(String),
+    /// The line between two arcs, on the suction and the pressure side [-].
+    Line([f64; 2]),
 }
 
 /// The mesh of a section.
@@ -102,6 +127,15 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
             return Err(LayupProblem::Thickness { layer, thickness });
         }
     }
+    for fill in &section.fills {
+        let name = fill.name.as_str();
+        if names.contains(&name) {
+            let layer = name.to_owned();
+            return Err(LayupProblem::NameTwice { layer });
+        }
+        names.push(name);
+        check_bounds(section, fill)?;
+    }
     if section.layers.is_empty() {
         return Err(LayupProblem::NoLayers);
     }
@@ -118,9 +152,35 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
         let [suction, pressure] = web.arcs;
         if !(suction > 0.0 && pressure < 1.0 && suction < pressure) {
             return Err(LayupProblem::WebArcs {
-                web: web.name.clone(),
+                web: Upright::Web(web.name.clone()),
                 arcs: web.arcs,
             });
+        }
+    }
+    Ok(())
+}
+
+/// Checks that the webs of the bounds of a fill stand, and that its lines go from side to side.
+fn check_bounds(section: &LayupSection, fill: &Fill) -> Result<(), LayupProblem> {
+    for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
+        match bound {
+            Bound::Web(name) => {
+                let is_it = |web: &Web| web.name == *name && !web.plies.is_empty();
+                if !section.webs.iter().any(is_it) {
+                    return Err(LayupProblem::FillBound {
+                        fill: fill.name.clone(),
+                        web: name.clone(),
+                    });
+                }
+            }
+            Bound::Line([suction, pressure]) => {
+                if !(*suction > 0.0 && *pressure < 1.0 && suction < pressure) {
+                    return Err(LayupProblem::WebArcs {
+                        web: Upright::Bound(fill.name.clone()),
+                        arcs: [*suction, *pressure],
+                    });
+                }
+            }
         }
     }
     Ok(())

@@ -10,8 +10,8 @@
 //! are nodes of the web, so that web and wall share their nodes.
 
 use super::super::super::distance;
-use super::problem::LayupProblem;
-use super::types::{LayupSection, Web};
+use super::problem::{LayupProblem, Upright};
+use super::types::{Bound, LayupSection, Web};
 use super::wall::{Edge, Wall};
 
 /// Samples of the inner face of each side.
@@ -23,24 +23,79 @@ pub(super) const NEAR: f64 = 0.03;
 /// Names of the sides.
 pub(super) const SIDES: [&str; 2] = ["suction", "pressure"];
 
-/// A web on the inner faces.
+/// A web, or a line that bounds a fill, on the inner faces.
 #[derive(Debug, Clone)]
 pub(super) struct Standing {
-    /// Its number in the section.
-    pub web: usize,
+    /// The web; a line that bounds a fill has the name of the fill, and no plies.
+    pub web: Web,
     /// The ply between each boundary and the next one.
     pub plies: Vec<usize>,
     /// Arc lengths of the boundaries on both sides, the foremost first.
     pub stations: [Vec<f64>; 2],
+    axes: Axes,
+}
+
+/// A point of the line of a web, and its unit normal, forward.
+#[derive(Debug, Clone, Copy)]
+struct Axes {
+    origin: [f64; 2],
+    normal: [f64; 2],
+}
+
+impl Axes {
+    fn offset(&self, point: [f64; 2]) -> f64 {
+        let along = |i: usize| (point[i] - self.origin[i]) * self.normal[i];
+        along(0) + along(1)
+    }
 }
 
 impl Standing {
+    /// Distance of a point from the middle of the web, positive ahead of it.
+    pub fn offset(&self, point: [f64; 2]) -> f64 {
+        self.axes.offset(point)
+    }
+
+    fn upright(&self) -> Upright {
+        upright(&self.web)
+    }
+
     /// The arc lengths between which it meets a side.
     pub fn range(&self, side: usize) -> [f64; 2] {
         let stations = &self.stations[side];
         let (first, last) = (stations[0], stations[stations.len() - 1]);
         [first.min(last), first.max(last)]
     }
+}
+
+fn upright(web: &Web) -> Upright {
+    let name = web.name.clone();
+    if web.plies.is_empty() {
+        Upright::Bound(name)
+    } else {
+        Upright::Web(name)
+    }
+}
+
+/// The webs with plies, and the lines that bound fills.
+fn uprights(section: &LayupSection) -> Vec<Web> {
+    let webs = section.webs.iter().filter(|web| !web.plies.is_empty());
+    let mut all: Vec<Web> = webs.cloned().collect();
+    for fill in &section.fills {
+        for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
+            let Bound::Line(arcs) = bound else {
+                continue;
+            };
+            let is_known = |web: &Web| web.plies.is_empty() && web.arcs == *arcs;
+            if !all.iter().any(is_known) {
+                all.push(Web {
+                    name: fill.name.clone(),
+                    arcs: *arcs,
+                    plies: Vec::new(),
+                });
+            }
+        }
+    }
+    all
 }
 
 /// The inner face of a side: arc lengths and inner ends of columns.
@@ -51,13 +106,13 @@ struct Search<'a> {
     web: &'a Web,
     wall: &'a Wall,
     faces: &'a [Face; 2],
-    origin: [f64; 2],
-    normal: [f64; 2],
+    axes: Axes,
 }
 
-/// The webs of a section on its wall.
+/// The webs of a section, and the lines that bound its fills, on its wall.
 pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>, LayupProblem> {
-    if section.webs.iter().all(|web| web.plies.is_empty()) {
+    let uprights = uprights(section);
+    if uprights.is_empty() {
         return Ok(Vec::new());
     }
     let nose = wall.outline.nose();
@@ -68,10 +123,7 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             .collect()
     });
     let mut all = Vec::new();
-    for (number, web) in section.webs.iter().enumerate() {
-        if web.plies.is_empty() {
-            continue;
-        }
+    for web in &uprights {
         let points = web
             .arcs
             .map(|arc| wall.outline.position(arc * wall.outline.perimeter()));
@@ -81,22 +133,25 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             web,
             wall,
             faces: &faces,
-            origin: points[0],
-            normal: [-line[1], line[0]],
+            axes: Axes {
+                origin: points[0],
+                normal: [-line[1], line[0]],
+            },
         };
-        all.push(search.standing(number)?);
+        all.push(search.standing()?);
     }
-    check_order(section, &all)?;
+    check_order(&all)?;
     Ok(all)
 }
 
 impl Search<'_> {
-    fn standing(&self, number: usize) -> Result<Standing, LayupProblem> {
+    fn standing(&self) -> Result<Standing, LayupProblem> {
         let (offsets, plies) = self.boundaries();
         let mut standing = Standing {
-            web: number,
+            web: self.web.clone(),
             plies,
             stations: [self.stations(0, &offsets)?, self.stations(1, &offsets)?],
+            axes: self.axes,
         };
         let added = self.added(&standing, &offsets);
         if !added.is_empty() {
@@ -140,9 +195,7 @@ impl Search<'_> {
     }
 
     fn offset(&self, point: [f64; 2]) -> f64 {
-        (0..2)
-            .map(|i| (point[i] - self.origin[i]) * self.normal[i])
-            .sum()
+        self.axes.offset(point)
     }
 
     /// Offsets of the ends of ramps under the feet, which become boundaries.
@@ -172,7 +225,7 @@ impl Search<'_> {
     /// Arc lengths of boundaries on a side.
     fn stations(&self, side: usize, offsets: &[f64]) -> Result<Vec<f64>, LayupProblem> {
         let outside = || LayupProblem::WebOutside {
-            web: self.web.name.clone(),
+            web: upright(self.web),
             side: SIDES[side],
             arc: self.web.arcs[side],
         };
@@ -230,7 +283,7 @@ impl Search<'_> {
                 let mut arcs = contact.map(|x| self.wall.pairs.at(side, x) / perimeter);
                 arcs.sort_by(f64::total_cmp);
                 return Err(LayupProblem::WebInContact {
-                    web: self.web.name.clone(),
+                    web: upright(self.web),
                     side: SIDES[side],
                     arc: self.web.arcs[side],
                     contact: arcs,
@@ -242,11 +295,11 @@ impl Search<'_> {
 }
 
 /// Refuses webs that overlap or cross.
-fn check_order(section: &LayupSection, all: &[Standing]) -> Result<(), LayupProblem> {
+fn check_order(all: &[Standing]) -> Result<(), LayupProblem> {
     let mut order: Vec<&Standing> = all.iter().collect();
     order.sort_by(|a, b| a.range(0)[0].total_cmp(&b.range(0)[0]));
     for pair in order.windows(2) {
-        let webs = || [0, 1].map(|i| section.webs[pair[i].web].name.clone());
+        let webs = || [0, 1].map(|i| pair[i].upright());
         let gaps = [
             pair[1].range(0)[0] - pair[0].range(0)[1],
             pair[0].range(1)[0] - pair[1].range(1)[1],
