@@ -91,6 +91,8 @@ pub struct WrittenLayer {
     pub to: Place,
     /// The drop of its thickness at its ends.
     pub taper: Option<Taper>,
+    /// The web along which it continues, and the line of the file.
+    pub web: Option<(String, usize)>,
     /// Its line in the file.
     pub line: usize,
 }
@@ -191,9 +193,11 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let line = root.nested(&LINE, read_line);
     let stations = span::stations(&root);
     root.finish();
+    let mut has_names = true;
     if let (Some(layers), Some(webs), Some(fills)) = (&layers, &webs, &fills) {
         for (line, problem) in wrong_names(layers, webs, fills) {
             document.note(line, &problem);
+            has_names = false;
         }
     }
     let rest = (places.zip(fills), size.zip(line).zip(stations));
@@ -221,7 +225,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     if let Some(Err(problem)) = layup.as_mut().map(Layup::divide_lengths) {
         document.note(shape_line, &problem);
     }
-    if let Some(layup) = &mut layup {
+    if let Some(layup) = layup.as_mut().filter(|_| has_names) {
         layup.remarks = layup.idle_places();
         for (line, problem) in layup.wrong_places() {
             document.note(line, &problem);
@@ -253,7 +257,10 @@ fn wrong_names(
             None => known.push((name, line)),
         }
     }
-    for (name, line) in fills.iter().flat_map(WrittenFill::webs) {
+    let of_layers = layers.iter().filter_map(|layer| layer.web.as_ref());
+    let of_layers = of_layers.map(|(name, line)| (name.as_str(), *line));
+    problems.extend(wrong_spars(of_layers.clone(), webs));
+    for (name, line) in fills.iter().flat_map(WrittenFill::webs).chain(of_layers) {
         if webs.iter().all(|web| web.name != name) {
             let problem = LayupFileProblem::Unknown {
                 kind: "web",
@@ -264,6 +271,33 @@ fn wrong_names(
         }
     }
     problems
+}
+
+/// Webs of layers that have plies of their own, or that are not the web of the first such layer.
+fn wrong_spars<'a>(
+    mut of_layers: impl Iterator<Item = (&'a str, usize)> + Clone,
+    webs: &[WrittenWeb],
+) -> Vec<(usize, LayupFileProblem)> {
+    let first = of_layers.clone().next();
+    let problem = |(name, line): (&'a str, usize)| {
+        let first = first.map(|first| first.0).filter(|first| *first != name);
+        let has_plies = || {
+            webs.iter()
+                .any(|web| web.name == name && !web.plies.is_empty())
+        };
+        let problem = match first {
+            Some(first) => LayupFileProblem::TwoSpars {
+                webs: [first, name].map(str::to_owned),
+            },
+            None if has_plies() => LayupFileProblem::PliesOfSpar {
+                web: name.to_owned(),
+            },
+            None => return None,
+        };
+        Some((line, problem))
+    };
+    // one of a kind is enough
+    of_layers.find_map(problem).into_iter().collect()
 }
 
 /// The lines of the tables of units and materials, and of a word of units at the top.
@@ -352,6 +386,12 @@ impl Layup {
             .iter()
             .chain(plies)
             .find(|layer| layer.name == name)
+    }
+
+    /// Whether layers continue along a web.
+    fn is_of_spar(&self, web: &WrittenWeb) -> bool {
+        let mut webs = self.layers.iter().filter_map(|layer| layer.web.as_ref());
+        webs.any(|(name, _)| *name == web.name)
     }
 
     /// The material of the layer, ply or fill of this name.

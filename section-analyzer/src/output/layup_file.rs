@@ -28,7 +28,43 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     if let Some(line) = &layup.line {
         write_line(text, line, unit)?;
     }
-    let shape = &layup.shape;
+    write_shape(text, layup)?;
+    for (name, at) in &layup.places {
+        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
+    }
+    for layer in &layup.layers {
+        writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
+        writeln!(text, "from = {}", place(&layer.from, unit))?;
+        writeln!(text, "to = {}", place(&layer.to, unit))?;
+        match layer.taper {
+            Some(Taper::Length(length)) => writeln!(text, "taper = {:?}", length / unit)?,
+            Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
+            None => {}
+        }
+        if let Some((web, _)) = &layer.web {
+            writeln!(text, "web = {web:?}")?;
+        }
+    }
+    for web in &layup.webs {
+        writeln!(text, "\n[[web]]\nname = {:?}", web.name)?;
+        for (side, at) in SIDES.iter().zip(&web.places) {
+            writeln!(text, "{side} = {}", place(at, unit))?;
+        }
+        writeln!(text, "eta = {:?}\nplies = [", web.range)?;
+        for ply in &web.plies {
+            writeln!(text, "  {{ {} }},", rows_of(ply, unit).join(", "))?;
+        }
+        writeln!(text, "]")?;
+    }
+    write_fills(text, layup)?;
+    if let Some(size) = layup.size {
+        writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
+    }
+    Ok(())
+}
+
+fn write_shape(text: &mut String, layup: &Layup) -> std::fmt::Result {
+    let (shape, unit) = (&layup.shape, layup.unit);
     writeln!(text, "\n[shape]")?;
     writeln!(text, "chord = {}", course(&shape.chord, unit))?;
     writeln!(text, "origin = {}", course(&shape.origin, 1.0))?;
@@ -49,34 +85,6 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
             .collect();
         writeln!(text, "\n[[shape.airfoils]]\n{key} = {at:?}")?;
         writeln!(text, "points = [{}]", rows.join(", "))?;
-    }
-    for (name, at) in &layup.places {
-        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
-    }
-    for layer in &layup.layers {
-        writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
-        writeln!(text, "from = {}", place(&layer.from, unit))?;
-        writeln!(text, "to = {}", place(&layer.to, unit))?;
-        match layer.taper {
-            Some(Taper::Length(length)) => writeln!(text, "taper = {:?}", length / unit)?,
-            Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
-            None => {}
-        }
-    }
-    for web in &layup.webs {
-        writeln!(text, "\n[[web]]\nname = {:?}", web.name)?;
-        for (side, at) in SIDES.iter().zip(&web.places) {
-            writeln!(text, "{side} = {}", place(at, unit))?;
-        }
-        writeln!(text, "eta = {:?}\nplies = [", web.range)?;
-        for ply in &web.plies {
-            writeln!(text, "  {{ {} }},", rows_of(ply, unit).join(", "))?;
-        }
-        writeln!(text, "]")?;
-    }
-    write_fills(text, layup)?;
-    if let Some(size) = layup.size {
-        writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
     }
     Ok(())
 }

@@ -72,12 +72,18 @@ fn write_section(
             continue;
         };
         let (name, material, angle) = (&layer.name, &written.material, written.fiber_angle);
-        if angle == 0.0 || written.toward == Toward::Contour {
+        let web = written.web.as_ref().map(|(web, _)| web);
+        if let Some(web) = web {
+            region(&format!("{name}@{web}"), material, angle, web)?;
+        }
+        let is_along = angle == 0.0 || written.toward == Toward::Contour;
+        if is_along && web.is_none() {
             region(name, material, angle, "contour")?;
             continue;
         }
         // the wall runs toward the leading edge on the suction side, and away from it on the other
-        for (side, angle) in [("suction", angle), ("pressure", -angle)] {
+        let below = if is_along { angle } else { -angle };
+        for (side, angle) in [("suction", angle), ("pressure", below)] {
             let follow = format!("contour@{side}");
             region(&format!("{name}@{side}"), material, angle, &follow)?;
         }
@@ -89,6 +95,10 @@ fn write_section(
             }
         }
     }
+    write_fills(text, layup, meshed)
+}
+
+fn write_fills(text: &mut String, layup: &Layup, meshed: &LayupMesh) -> std::fmt::Result {
     for fill in &meshed.section.fills {
         if let Some(written) = layup.fill(&fill.name) {
             let angles = [written.fiber_angle, written.plane_angle].map(degrees);

@@ -13,5 +13,6 @@ mod prevabs;
 mod prevabs_files;
 mod random;
 mod sections;
+mod spars;
 mod stations;
 mod windio;

@@ -94,6 +94,7 @@ fn case(value: &Value) -> Case {
             contour: list(&value["contour"]).iter().map(point).collect(),
             layers,
             webs,
+            spar: None,
             fills: Vec::new(),
             size: None,
         },

@@ -147,6 +147,7 @@ const LAYER: TableSchema = TableSchema {
         FROM.schema,
         TO.schema,
         TAPER.schema,
+        WEB_OF_LAYER.schema,
     ],
     families: &[
         Family {
@@ -202,6 +203,9 @@ keys! {
     /// Where it ends.
     pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
+    /// The web without plies of its own along which it continues, with mitres at both ends: a spar
+    /// around the nose. `from` and `to` are then the places of the web, if not given.
+    pub(super) WEB_OF_LAYER: Option<String> = "web", [Text], optional, "\"rear\"";
     /// Length over which its thickness drops to zero at its ends, or its thickness over this
     /// length; about the thickness without it.
     pub(super) TAPER: Option<Taper> = "taper", [Positive(Dimension::LENGTH), Text], optional,

@@ -1,6 +1,6 @@
 //! Layers and webs as written.
 
-use shared_geom::document::Table;
+use shared_geom::document::{Key, Table};
 use shared_geom::units::Dimension;
 
 use super::course::Course;
@@ -8,9 +8,9 @@ use super::fills::WrittenFill;
 use super::keys::{
     AFT_OF, AHEAD_OF, ANGLES, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
     PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, RANGE, ROUND, SUCTION, TAPER, THICKNESS, TO,
-    TOWARD, WEB_NAME,
+    TOWARD, WEB_NAME, WEB_OF_LAYER,
 };
-use super::place::Place;
+use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
 use super::{Toward, WrittenLayer, WrittenWeb};
 use crate::input::materials::WrittenMaterial;
@@ -43,7 +43,15 @@ impl Known {
         let (taper, toward) = (table.get(&TAPER), table.get(&TOWARD));
         let (material, stack) = (self.material(table), self.stack(table, true));
         let angle = table.get(&FIBER_ANGLE);
-        let (from, to) = (places.0?, places.1?);
+        let web = table.get(&WEB_OF_LAYER)?;
+        let line = table.line_of(&WEB_OF_LAYER);
+        let of_web = |key: &Key<Place>, given: Place, side: &str| match &web {
+            Some(web) if !table.has(key) => Place::of_name(format!("{web}.{side}"), line),
+            _ => given,
+        };
+        let from = of_web(&FROM, places.0?, SIDES[0]);
+        let to = of_web(&TO, places.1?, SIDES[1]);
+        let web = web.map(|web| (web, line));
         let layer = |name: String, thickness: Course, fiber_angle: f64| {
             Some(WrittenLayer {
                 name,
@@ -54,6 +62,7 @@ impl Known {
                 from: from.clone(),
                 to: to.clone(),
                 taper: taper?,
+                web: web.clone(),
                 line: table.line(),
             })
         };
@@ -87,6 +96,7 @@ impl Known {
             from: Place::arc(0.0),
             to: Place::arc(1.0),
             taper: None,
+            web: None,
             line: table.line(),
         })
     }

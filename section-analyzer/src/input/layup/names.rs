@@ -97,7 +97,7 @@ impl Layup {
         problems
     }
 
-    /// Remarks on tables of places that nothing refers to, or whose name is that of another place.
+    /// Remarks on tables of places that nothing refers to, or whose name another place has.
     pub(super) fn idle_places(&self) -> Vec<String> {
         let all: Vec<&str> = self.all_places().filter_map(Place::name).collect();
         let known = self.known_places();

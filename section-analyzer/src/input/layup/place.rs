@@ -106,6 +106,11 @@ impl Place {
         Self::of(PlaceForm::Arc(Course::constant(part)))
     }
 
+    /// The place of a name on a line of the file.
+    pub(super) fn of_name(name: String, line: usize) -> Self {
+        Self::of(PlaceForm::Named(name)).on_line(line)
+    }
+
     /// A place without a shift.
     pub fn of(form: PlaceForm) -> Self {
         Self {

@@ -79,6 +79,20 @@ pub enum LayupFileProblem {
          \"distance\" and \"plane\" alone, an \"angle\" with \"plane\" alone"
     )]
     Place,
+    /// Layers that continue along two webs.
+    #[error("layers continue along webs \"{}\" and \"{}\", expected one web", .webs[0], .webs[1])]
+    TwoSpars {
+        /// The webs.
+        webs: [String; 2],
+    },
+    /// A web with plies, along which layers continue.
+    #[error(
+        "web \"{web}\" has plies of its own, and layers that continue along it, expected one of them"
+    )]
+    PliesOfSpar {
+        /// The web.
+        web: String,
+    },
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,

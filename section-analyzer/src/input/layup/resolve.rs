@@ -5,7 +5,7 @@ use super::names::{Found, POINTS};
 use super::place::{Place, PlaceForm};
 use super::problem::{LayupFileProblem, Located};
 use super::{Layup, WrittenLayer, WrittenWeb};
-use crate::mesh::generate::layup::{Bound, Fill, Layer, LayupSection, Outline, Web, WebPly};
+use crate::mesh::generate::layup::{Bound, Fill, Layer, LayupSection, Outline, Spar, Web, WebPly};
 
 /// Thickness below which a layer is absent \[m\].
 pub(super) const ABSENT: f64 = 1e-6;
@@ -34,6 +34,7 @@ impl<'a> Resolver<'a> {
     /// The section, lengths in meters.
     pub fn section(&self) -> Result<LayupSection, Located> {
         let mut layers = Vec::new();
+        let mut along = Vec::new();
         for layer in self.layup.layers.iter().filter(|layer| self.has(layer)) {
             let mut places = Vec::new();
             let from = self.arc(layer.line, &layer.from, &mut places)?;
@@ -49,6 +50,9 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             let thickness = layer.thickness.at(self.eta);
+            if layer.web.is_some() {
+                along.push(layers.len());
+            }
             layers.push(Layer {
                 name: layer.name.clone(),
                 thickness,
@@ -58,11 +62,21 @@ impl<'a> Resolver<'a> {
             });
         }
         let mut webs = Vec::new();
+        let mut spar = None;
         for web in &self.layup.webs {
             if self.eta < web.range[0] || self.eta > web.range[1] {
                 continue;
             }
-            webs.push(self.web(web)?);
+            let made = self.web(web)?;
+            if self.layup.is_of_spar(web) {
+                spar = (!along.is_empty()).then(|| Spar {
+                    web: made.name,
+                    arcs: made.arcs,
+                    layers: std::mem::take(&mut along),
+                });
+            } else {
+                webs.push(made);
+            }
         }
         let fills = self.layup.fills.iter();
         let fills = fills.filter(|fill| self.eta >= fill.range[0] && self.eta <= fill.range[1]);
@@ -71,6 +85,7 @@ impl<'a> Resolver<'a> {
             contour: self.layup.shape.contour(self.eta),
             layers,
             webs,
+            spar,
             fills: fills?,
             size: self.layup.size,
         })
@@ -221,9 +236,17 @@ impl<'a> Resolver<'a> {
         let line = [0, 1].map(|i| points[1][i] - points[0][i]);
         let height = line[0].hypot(line[1]);
         let normal = [-line[1] / height, line[0] / height];
-        let plies = web.plies.iter().filter(|ply| self.has(ply));
-        let thickness: f64 = plies.map(|ply| ply.thickness.at(self.eta)).sum();
-        let offset = 0.5 * sign * thickness;
+        let sum = |plies: &mut dyn Iterator<Item = &WrittenLayer>| -> f64 {
+            let here = plies.filter(|ply| self.has(ply));
+            here.map(|ply| ply.thickness.at(self.eta)).sum()
+        };
+        // the place of the web of a spar is its aft face
+        let along = self.layup.layers.iter();
+        let mut along = along.filter(|layer| layer.web.as_ref().is_some_and(|of| of.0 == web.name));
+        let offset = match self.layup.is_of_spar(web) {
+            true => sum(&mut along) * sign.max(0.0),
+            false => 0.5 * sign * sum(&mut web.plies.iter()),
+        };
         let ahead = |p: [f64; 2]| {
             (p[0] - points[0][0]) * normal[0] + (p[1] - points[0][1]) * normal[1] > offset
         };

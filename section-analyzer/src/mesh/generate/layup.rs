@@ -19,12 +19,15 @@ use super::super::SectionMesh;
 
 mod area;
 mod build;
+mod column;
 mod fill;
+mod line;
 mod mitre;
 mod outline;
 mod pairs;
 mod polygon;
 mod problem;
+mod spar;
 mod stack;
 mod stations;
 mod triangles;
@@ -34,7 +37,7 @@ mod webs;
 
 pub use outline::Outline;
 pub use problem::{LayupProblem, Upright};
-pub use types::{Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Web, WebPly};
+pub use types::{Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, Web, WebPly};
 
 use wall::{Reach, Wall};
 
@@ -46,7 +49,7 @@ const AROUND: f64 = 120.0;
 impl LayupSection {
     /// The mesh, of quadrilaterals with 8 nodes and triangles with 6. Physical surfaces:
     /// the name of each layer, web ply and fill; for layers also their parts `NAME@suction` and
-    /// `NAME@pressure`. Physical curves: `contour`, the outer surface, clockwise, and its
+    /// `NAME@pressure`, and `NAME@WEB` along the web of a spar. Physical curves: `contour`, the outer surface, clockwise, and its
     /// parts `contour@suction` and `contour@pressure`; the name of each web, from the
     /// pressure to the suction side.
     ///

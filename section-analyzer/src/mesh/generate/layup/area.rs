@@ -2,7 +2,9 @@
 
 use shared_geom::mesh::{Cell, Mesh};
 
+use super::super::super::distance;
 use super::problem::LayupProblem;
+use super::spar::SparWall;
 use super::types::{LayerArea, LayupSection};
 use super::wall::Wall;
 
@@ -96,7 +98,35 @@ fn nominal(wall: &Wall) -> Vec<f64> {
             outer = inner;
         }
     }
+    if let Some(spar) = &wall.spar {
+        add_spar(wall, spar, &mut sums);
+    }
     sums
+}
+
+/// The parts along the web of a spar; each of its mitres takes of both surfaces.
+fn add_spar(wall: &Wall, spar: &SparWall, sums: &mut [f64]) {
+    let faces = spar.corners.map(|s| {
+        let (p, n) = (wall.outline.position(s), wall.outline.inward(s));
+        let depth = wall.stack.before(spar.first, s);
+        [0, 1].map(|i| p[i] + depth * n[i])
+    });
+    let length = distance(faces[0], faces[1]);
+    for (side, s) in spar.corners.into_iter().enumerate() {
+        let mut outer = 0.0;
+        for (layer, sum) in sums.iter_mut().enumerate().skip(spar.first) {
+            let inner = outer + wall.stack.thickness(layer, s);
+            *sum -= 0.5 * (inner * inner - outer * outer) * spar.leans[side];
+            outer = inner;
+        }
+    }
+    let lean = spar.leans[0] + spar.leans[1];
+    let mut outer = 0.0;
+    for layer in &spar.layers {
+        let inner = outer + wall.stack.full(*layer);
+        sums[*layer] += (inner - outer) * (length - 0.5 * (inner + outer) * lean);
+        outer = inner;
+    }
 }
 
 /// Area of a cell.

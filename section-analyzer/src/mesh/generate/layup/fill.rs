@@ -48,8 +48,8 @@ pub(super) fn add_fills(
 /// The web or line of a bound.
 fn of<'a>(bound: &Bound, standing: &'a [Standing]) -> Option<&'a Standing> {
     standing.iter().find(|one| match bound {
-        Bound::Web(name) => !one.plies.is_empty() && one.web.name == *name,
-        Bound::Line(arcs) => one.plies.is_empty() && one.web.arcs == *arcs,
+        Bound::Web(name) => one.is_web() && one.web.name == *name,
+        Bound::Line(arcs) => !one.is_web() && one.web.arcs == *arcs,
     })
 }
 

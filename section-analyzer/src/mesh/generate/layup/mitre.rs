@@ -50,7 +50,7 @@ pub(super) struct Mitre {
 
 /// The lean over the distance from a corner.
 #[derive(Debug, Clone)]
-struct Fade {
+pub(super) struct Fade {
     step: f64,
     /// M at equal steps; 0 at the last one.
     lean: Vec<f64>,
@@ -108,8 +108,13 @@ fn room(way: f64, own: f64, other: f64) -> f64 {
 }
 
 impl Fade {
-    /// The fade in a `room`, of surfaces with a thickness and a curvature at each distance.
-    fn new([tangent, length]: [f64; 2], room: f64, surface: impl Fn(f64) -> (f64, f64)) -> Self {
+    /// The fade in a `room` of the lean `tangent` of layers that take this length of the surface,
+    /// of surfaces with a thickness and a curvature at each distance.
+    pub fn new(
+        [tangent, length]: [f64; 2],
+        room: f64,
+        surface: impl Fn(f64) -> (f64, f64),
+    ) -> Self {
         let step = length.abs() / STEPS;
         let part = (length.abs() / room.max(f64::MIN_POSITIVE)).max(FADE);
         let mut lean = vec![tangent];
@@ -138,7 +143,8 @@ impl Fade {
         Self { step, lean }
     }
 
-    fn at(&self, x: f64) -> Option<f64> {
+    /// The lean at a distance; `None` beyond its reach.
+    pub fn at(&self, x: f64) -> Option<f64> {
         let place = x / self.step;
         let i = place as usize;
         let [a, b] = [self.lean.get(i)?, self.lean.get(i + 1)?];

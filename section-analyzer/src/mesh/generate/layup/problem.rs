@@ -134,6 +134,36 @@ pub enum LayupProblem {
         /// The webs, or bounds of fills.
         webs: [Upright; 2],
     },
+    /// A layer inside of a spar that goes behind its web.
+    #[error("layer \"{layer}\" is inside of the spar with web \"{web}\", and goes behind the web")]
+    BehindSpar {
+        /// The layer.
+        layer: String,
+        /// The web.
+        web: String,
+    },
+    /// A layer behind the web of a spar that reaches it.
+    #[error("layer \"{layer}\" behind the spar with web \"{web}\" reaches the web")]
+    AtSpar {
+        /// The layer.
+        layer: String,
+        /// The web.
+        web: String,
+    },
+    /// Layers of a spar that do not continue along its web.
+    #[error(
+        "the layers along web \"{web}\" are {expected} thick, those inside of the spar at its {side} end {found}, expected the same"
+    )]
+    SparPlies {
+        /// The web.
+        web: String,
+        /// The side.
+        side: &'static str,
+        /// Thicknesses at its end [unit of the mesh].
+        found: String,
+        /// Thicknesses along it [unit of the mesh].
+        expected: String,
+    },
     /// A fill whose bound is a web that does not stand.
     #[error("fill \"{fill}\" is bounded by web \"{web}\", which has no plies here")]
     FillBound {
@@ -199,7 +229,10 @@ impl LayupProblem {
             | Self::Arcs { layer, .. }
             | Self::Tight { layer, .. }
             | Self::Folded { layer, .. }
-            | Self::Area { layer, .. } => Some(layer),
+            | Self::Area { layer, .. }
+            | Self::BehindSpar { layer, .. }
+            | Self::AtSpar { layer, .. } => Some(layer),
+            Self::SparPlies { web, .. } => Some(web),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
             | Self::WebInContact { web, .. } => Some(web.name()),
@@ -241,6 +274,14 @@ impl Explain for LayupProblem {
             }
             Self::Area { .. } => {
                 "begin the contour at a corner of its rear, give its corners twice, or use thinner layers"
+            }
+            Self::BehindSpar { .. } => {
+                "list it before the layers of the spar, or end it at the web"
+            }
+            Self::AtSpar { .. } => "end it before the web, by half the length of its drop or more",
+            Self::SparPlies { .. } => {
+                "a layer inside of the spar that is not along the web needs one of its thickness along \
+                 the web, which may be elsewhere on the surfaces"
             }
             Self::NoSpace { .. } => {
                 "fills before it may have taken it, its bounds may be in the wrong order, or the layers \

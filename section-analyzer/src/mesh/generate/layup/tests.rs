@@ -81,7 +81,7 @@ fn areas_of_layers_are_exact() {
         layer(0.02, 0.0, 0.05),
     ];
     for is_ring in [true, false] {
-        let stack = Stack::new(&layers, 10.0, 0.1, (is_ring, [0.0, 10.0], 1.0));
+        let stack = Stack::new((&layers, None), 10.0, 0.1, (is_ring, [0.0, 10.0], 1.0));
         let exact = [0.02, 0.03, 0.01];
         for (index, exact) in exact.into_iter().enumerate() {
             let count = 100_000;
@@ -114,7 +114,7 @@ fn sides_meet_where_the_layers_fill_the_height() {
         assert!((pairs.x(0, pair.s[0]) - x).abs() < 1e-9);
     }
     let stack = Stack::new(
-        &[layer(0.1, 0.0, 1.0)],
+        (&[layer(0.1, 0.0, 1.0)], None),
         outline.perimeter(),
         0.05,
         (false, outline.corners(), 0.0),
@@ -133,7 +133,7 @@ fn sides_meet_where_the_layers_fill_the_height() {
 }
 
 /// A box 2 by 1 with a wall of 0.05, whose points begin in the middle of a side, and with a corner
-/// of 30 degrees and 1 at the foremost side: the area is that of the polygons,
+/// of 30 degrees and 1 at the foremost side: the area is exact for straight faces,
 ///
 /// ```text
 /// t P - t^2 sum tan(turn/2)
@@ -176,6 +176,7 @@ fn closed_contours_may_begin_anywhere() {
             contour: points,
             layers: vec![layer(thickness, 0.0, 1.0)],
             webs: Vec::new(),
+            spar: None,
             fills: Vec::new(),
             size: None,
         };

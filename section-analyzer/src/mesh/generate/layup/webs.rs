@@ -9,8 +9,9 @@
 //!
 //! are nodes of the web, so that web and wall share their nodes.
 
-use super::super::super::distance;
+use super::line::Line;
 use super::problem::{LayupProblem, Upright};
+use super::spar::SIDES;
 use super::types::{Bound, LayupSection, Web};
 use super::wall::{Edge, Wall};
 
@@ -20,8 +21,6 @@ const SAMPLES: usize = 240;
 const WIDEST: f64 = 0.6;
 /// Part of the size of cells within which boundaries of cells are one.
 pub(super) const NEAR: f64 = 0.03;
-/// Names of the sides.
-pub(super) const SIDES: [&str; 2] = ["suction", "pressure"];
 
 /// A web, or a line that bounds a fill, on the inner faces.
 #[derive(Debug, Clone)]
@@ -32,31 +31,28 @@ pub(super) struct Standing {
     pub plies: Vec<usize>,
     /// Arc lengths of the boundaries on both sides, the foremost first.
     pub stations: [Vec<f64>; 2],
-    axes: Axes,
-}
-
-/// A point of the line of a web, and its unit normal, forward.
-#[derive(Debug, Clone, Copy)]
-struct Axes {
-    origin: [f64; 2],
-    normal: [f64; 2],
-}
-
-impl Axes {
-    fn offset(&self, point: [f64; 2]) -> f64 {
-        let along = |i: usize| (point[i] - self.origin[i]) * self.normal[i];
-        along(0) + along(1)
-    }
+    line: Line,
+    /// Whether it is the outer face of the web of a spar, whose cells the spar has.
+    pub is_spar: bool,
 }
 
 impl Standing {
     /// Distance of a point from the middle of the web, positive ahead of it.
     pub fn offset(&self, point: [f64; 2]) -> f64 {
-        self.axes.offset(point)
+        self.line.offset(point)
+    }
+
+    /// Whether it is a web, and not only a line.
+    pub fn is_web(&self) -> bool {
+        self.is_spar || !self.plies.is_empty()
     }
 
     fn upright(&self) -> Upright {
-        upright(&self.web)
+        if self.is_spar {
+            Upright::Web(self.web.name.clone())
+        } else {
+            upright(&self.web)
+        }
     }
 
     /// The arc lengths between which it meets a side.
@@ -106,14 +102,25 @@ struct Search<'a> {
     web: &'a Web,
     wall: &'a Wall,
     faces: &'a [Face; 2],
-    axes: Axes,
+    line: Line,
 }
 
 /// The webs of a section, and the lines that bound its fills, on its wall.
 pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>, LayupProblem> {
     let uprights = uprights(section);
+    let spar = wall.spar.as_ref().map(|spar| Standing {
+        web: Web {
+            name: spar.web.clone(),
+            arcs: spar.arcs,
+            plies: Vec::new(),
+        },
+        plies: Vec::new(),
+        stations: spar.corners.map(|s| vec![s]),
+        line: spar.line,
+        is_spar: true,
+    });
     if uprights.is_empty() {
-        return Ok(Vec::new());
+        return Ok(spar.into_iter().collect());
     }
     let nose = wall.outline.nose();
     let faces = [0, 1].map(|side| {
@@ -122,21 +129,16 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             .map(|i| (s(i), wall.column(s(i)).inner()))
             .collect()
     });
-    let mut all = Vec::new();
+    let mut all: Vec<Standing> = spar.into_iter().collect();
     for web in &uprights {
         let points = web
             .arcs
             .map(|arc| wall.outline.position(arc * wall.outline.perimeter()));
-        let height = distance(points[0], points[1]);
-        let line = [0, 1].map(|i| (points[1][i] - points[0][i]) / height);
         let search = Search {
             web,
             wall,
             faces: &faces,
-            axes: Axes {
-                origin: points[0],
-                normal: [-line[1], line[0]],
-            },
+            line: Line::between(points),
         };
         all.push(search.standing()?);
     }
@@ -151,7 +153,8 @@ impl Search<'_> {
             web: self.web.clone(),
             plies,
             stations: [self.stations(0, &offsets)?, self.stations(1, &offsets)?],
-            axes: self.axes,
+            line: self.line,
+            is_spar: false,
         };
         let added = self.added(&standing, &offsets);
         if !added.is_empty() {
@@ -195,7 +198,7 @@ impl Search<'_> {
     }
 
     fn offset(&self, point: [f64; 2]) -> f64 {
-        self.axes.offset(point)
+        self.line.offset(point)
     }
 
     /// Offsets of the ends of ramps under the feet, which become boundaries.
