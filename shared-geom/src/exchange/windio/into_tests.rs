@@ -147,16 +147,17 @@ fn missing_properties_are_added_to_the_structure() {
     assert!(written.contains("            webs: []\n            elastic_properties:\n"));
 }
 
+/// A turbine with all of its blade in the flow style.
+const FLOW: &str = "# turbine\ncomponents:\n    hub: {diameter: 7, cone: [1, 2]}  # kept\n    blade: {\n        \
+                outer_shape: {chord: {grid: [0, 1], values: [5, 1]}, twist: {grid: [0,\n 1], values: [0, 0]}},\n        \
+                structure: {webs: [], elastic_properties: null}, reference_axis: null\n    } # blade\n\
+                airfoils: [] # kept\n";
+
 // A reference turbine may have all of its blade in the flow style: the tables around the replaced
 // ones become blocks with their entries as they are, and other tables keep their style.
 #[test]
 fn tables_in_the_flow_style_are_replaced() {
-    let text = "# turbine\ncomponents:\n    hub: {diameter: 7, cone: [1, 2]}  # kept\n    blade: {\n        \
-                outer_shape: {chord: {grid: [0, 1], values: [5, 1]}, twist: {grid: [0,\n 1], values: [0, 0]}},\n        \
-                structure: {webs: [], 'elastic_properties': null}, reference_axis: null\n    } # blade\n\
-                airfoils: [] # kept\n";
-    let text = text.replace("'elastic_properties'", "elastic_properties");
-    let written = into(&text);
+    let written = into(FLOW);
     assert!(difference(&blade(), &read(&written)) < 1e-14, "{written}");
     for kept in [
         "# turbine\ncomponents:\n    hub: {diameter: 7, cone: [1, 2]}  # kept\n    blade: # blade\n",
@@ -185,6 +186,26 @@ fn anchors_in_replaced_tables_move_to_their_first_alias() {
                     values: &x [1, 2]\n        outer_shape:\n";
     assert!(written.contains(expected), "{written}");
     assert!(difference(&blade(), &read(&written)) < 1e-14);
+}
+
+// Refused or readable, and never a panic.
+#[test]
+fn no_changed_byte_makes_the_writer_panic() {
+    let text = FLOW
+        .replace("webs: []", "webs: &w [1, *v], a: *w")
+        .replace("# turbine", "v: &v 2");
+    into(&text);
+    let mut written = 0;
+    for at in 0..text.len() {
+        let mut bytes = text.clone().into_bytes();
+        bytes[at] = b"{}[],:&*#'\"\n x"[at * 5 % 14];
+        let changed = String::from_utf8(bytes).unwrap();
+        if let Ok(writing) = write_into(&blade(), &changed, Path::new("a.yaml")) {
+            written += 1;
+            read(&writing.files[0].1);
+        }
+    }
+    assert!(written > 20, "{written}");
 }
 
 #[test]
