@@ -59,6 +59,9 @@ impl From<io::Error> for Stop {
 struct Terminal<'a> {
     out: &'a mut dyn Write,
     err: &'a mut dyn Write,
+    /// Whether no report is printed; the warnings that it contains are then reported as problems
+    /// are.
+    is_quiet: bool,
 }
 
 /// Runs the program with the arguments of a command line, whose first is the name of the
@@ -71,7 +74,11 @@ pub fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> u8 {
-    let mut terminal = Terminal { out, err };
+    let mut terminal = Terminal {
+        out,
+        err,
+        is_quiet: false,
+    };
     match dispatch(arguments, &mut terminal) {
         Ok(()) => DONE,
         Err(Stop::Reported(code)) => code,
@@ -98,17 +105,19 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     let mut nowhere = io::sink();
+    let is_quiet = arguments.command.is_quiet();
     let terminal = &mut Terminal {
-        out: if arguments.command.is_quiet() {
+        out: if is_quiet {
             &mut nowhere
         } else {
             &mut *terminal.out
         },
         err: &mut *terminal.err,
+        is_quiet,
     };
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
-        Command::Check { file, out } => check::check_file(&file, out, terminal),
+        Command::Check(arguments) => check::check_file(&arguments, terminal),
         Command::Stress {
             file,
             load,
@@ -151,6 +160,12 @@ impl Terminal<'_> {
         }
     }
 
+    /// Reports warnings about a file that no report shows.
+    fn warn_if_quiet(&mut self, file: &Path, warnings: &[String]) -> io::Result<()> {
+        let mut shown = warnings.iter().filter(|_| self.is_quiet);
+        shown.try_for_each(|text| writeln!(self.err, "warning: {}: {text}", file.display()))
+    }
+
     fn read(&mut self, file: &Path) -> Result<Input, Stop> {
         input::read(file).map_err(|problems| self.report_all(&problems))
     }
@@ -168,6 +183,12 @@ impl Terminal<'_> {
     fn report_all(&mut self, problems: &Diagnostics) -> Stop {
         self.report_text(&problems.to_string(), WRONG_INPUT)
     }
+}
+
+/// The warnings about an input, as text.
+fn warnings_of(input: &Input) -> Vec<String> {
+    let warnings = input.summary.warnings.iter();
+    warnings.map(ToString::to_string).collect()
 }
 
 /// Text of a reported problem, with its remedy.

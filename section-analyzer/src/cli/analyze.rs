@@ -116,7 +116,7 @@ pub(super) fn analyze_files(
         quiet: arguments.quiet,
     };
     match &jobs[..] {
-        [job] => show(analyze_one(job, &run).0, terminal),
+        [job] => show(job, analyze_one(job, &run).0, terminal),
         jobs => solve_all(
             jobs,
             arguments.threads,
@@ -132,11 +132,11 @@ const REMOVED: &str =
     "Removed: results of an earlier run (--sensitivity and --mesh-error make them)";
 
 /// Shows the outcome of a run with a single section.
-fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
-    if let Some(problems) = &outcome.problems {
+    if let Some(messages) = outcome.messages(&job.label, terminal.is_quiet) {
         // Reported first; the written files are listed all the same.
-        terminal.report_text(problems, outcome.status.code());
+        terminal.report_text(&messages, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
     list(REMOVED, &outcome.removed, terminal)?;
