@@ -122,6 +122,9 @@ pub enum PropertyProblem {
         /// The entry [unit of the matrix].
         value: f64,
     },
+    /// A stiffness without both shear stiffnesses.
+    #[error("stiffness has 0 at (2, 2) (shear y) and at (3, 3) (shear z), expected more than zero")]
+    NoShear,
     /// A matrix with a negative (or zero) eigenvalue.
     #[error("{field} is not {expected}: its smallest scaled eigenvalue is {value:.3e}")]
     Indefinite {
@@ -278,6 +281,9 @@ fn stiffness(k: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
     let field = "stiffness";
     if !symmetric(field, &dynamic(k), found) {
         return;
+    }
+    if k[(1, 1)] == 0.0 && k[(2, 2)] == 0.0 {
+        return found.push((field, PropertyProblem::NoShear));
     }
     for i in 0..6 {
         if k[(i, i)] <= 0.0 {
