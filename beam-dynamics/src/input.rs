@@ -68,6 +68,7 @@ mod problem;
 mod properties;
 mod readings;
 mod rods;
+mod rotating_start;
 mod rotor_speed;
 mod rotors;
 pub mod schema;
@@ -258,6 +259,7 @@ fn checked(
     (given, linear): (&[(String, f64)], Option<&LinearRequest>),
 ) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
+    document.require_known(&schema::DYNAMICS_FILE, "dynamics file")?;
     declare(&document, &document.root_of(&schema::DYNAMICS_FILE), given);
     // Problems of rotors are reported with all others.
     let inputs = linear.map_or(&[][..], |request| request.inputs.as_slice());
@@ -374,6 +376,7 @@ fn cards(
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     rotors::check(document, rotors, &analyses, builder.hub()?);
     analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
+    rotating_start::check((document, &root), &builder, &analyses);
     check_air(&root, &mut builder, &analyses);
     let nodes = builder.initial();
     let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
