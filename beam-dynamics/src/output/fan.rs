@@ -29,6 +29,8 @@ const LEGEND: f64 = 70.0;
 const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
+/// Critical speeds of a rotor above which only those of the multiples b and 2b are marked.
+const MOST_MARKS: usize = 30;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
 
@@ -103,7 +105,8 @@ impl FanPlot {
             let value = plot.unit.value(critical.frequency, critical.speed)?;
             Some([critical.speed * RPM, value])
         };
-        plot.critical = fixed.critical.iter().filter_map(position).collect();
+        let marked = marked(table, &fixed.critical);
+        plot.critical = marked.into_iter().filter_map(position).collect();
         plot.cut();
         plot
     }
@@ -140,6 +143,17 @@ impl FanPlot {
         self.critical.retain(|point| point[1] <= limit);
         self.measured.retain(|point| point[1] <= limit);
     }
+}
+
+/// The critical speeds that are marked: all, or of many at multiples that the file did not choose the
+/// speeds at which loads of b equal blades excite a mode, and those at which a whirl comes to rest.
+fn marked<'a>(table: &FrequencyTable, all: &'a [CriticalSpeed]) -> Vec<&'a CriticalSpeed> {
+    let blades = u32::try_from(table.blades()).unwrap_or(0);
+    let is_chosen = blades < 2 || !table.style.harmonics.is_empty();
+    let orders = [0, blades, 2 * blades];
+    all.iter()
+        .filter(|one| is_chosen || all.len() <= MOST_MARKS || orders.contains(&one.order))
+        .collect()
 }
 
 impl FanPlot {

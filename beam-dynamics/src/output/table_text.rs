@@ -54,8 +54,26 @@ const SHAFT_WHIRL: &str = "\
 \x20 progressive, regressive: whirl with the rotation or against it, in the turning axes
 ";
 
-/// Meaning of the numbers and names of `table`.
+/// Meaning of the numbers and names of `table`, without the kinds of blades for a shaft.
 pub fn convention(table: &FrequencyTable) -> String {
+    let text = of_all_kinds(table);
+    let whirls = table
+        .branches
+        .iter()
+        .any(|branch| branch.harmonic.is_some());
+    if !(whirls && table.is_shaft()) {
+        return text;
+    }
+    let is_of_blades = |line: &&str| {
+        let word = line.split_whitespace().next();
+        word.is_some_and(|word| ["flap", "lag", "edge"].contains(&word))
+    };
+    let lines = text.split_inclusive('\n');
+    lines.filter(|line| !is_of_blades(line)).collect()
+}
+
+/// Meaning of the numbers and names of `table`, with the kinds of blades.
+fn of_all_kinds(table: &FrequencyTable) -> String {
     let damping = if is_damped(table) { DAMPING } else { "" };
     let mut branches = table.branches.iter();
     let whirl = match branches.any(|branch| branch.harmonic.is_some()) {
@@ -188,6 +206,7 @@ fn remarks(table: &FrequencyTable) -> String {
 mod tests {
     use super::*;
     use crate::output::samples;
+    use crate::result::Whirl;
 
     #[test]
     fn modes_are_rows_and_speeds_are_columns() {
@@ -230,6 +249,21 @@ torsion 1                 -     -      -    99.500  9.950  0.000
         assert_eq!(convention(&samples::small()), CONVENTION);
         table.branches[0].harmonic = Some(0);
         assert!(convention(&table).contains("\n  collective, progressive"));
+        assert!(convention(&table).contains("\n          lag  "));
+        let points = table.branches.iter_mut().flat_map(|b| b.points.iter_mut());
+        for point in points.flatten() {
+            point.whirl = Some(Whirl {
+                harmonic: 1,
+                blades: 0,
+                share: 1.0,
+            });
+        }
+        let of_shaft = convention(&table);
+        assert!(of_shaft.contains("\n  progressive, regressive: whirl"));
+        assert!(
+            !of_shaft.contains("flap") && !of_shaft.contains("lag"),
+            "{of_shaft}"
+        );
         assert!(convention(&table).lines().all(|line| line.len() <= 96));
     }
 
