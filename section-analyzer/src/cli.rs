@@ -99,7 +99,7 @@ fn dispatch(
     };
     let mut nowhere = io::sink();
     let terminal = &mut Terminal {
-        out: if arguments.command.is_quiet() {
+        out: if arguments.is_quiet() {
             &mut nowhere
         } else {
             &mut *terminal.out

@@ -80,9 +80,6 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Draw each figure as SVG too, next to its PNG
     #[arg(long, conflicts_with = "no_figures")]
     pub svg: bool,
-    /// Print no report; problems are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
     /// materials and the fiber and plane angle of every region
     #[arg(long)]
