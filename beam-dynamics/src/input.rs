@@ -374,10 +374,7 @@ fn cards(
         columns::check(&root, output, analyses.transient.as_ref());
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
-    rotors::check(document, rotors, &analyses, builder.hub()?);
-    analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
-    rotating_start::check((document, &root), &builder, &analyses);
-    check_air(&root, &mut builder, &analyses);
+    check_rotation((document, &root, rotors), &gravity, &mut builder, &analyses)?;
     let nodes = builder.initial();
     let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
     let joints = builder.joint_lines();
@@ -391,6 +388,21 @@ fn cards(
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
     Some(input)
+}
+
+/// Notes rotors, gravity, supports and air that do not suit the rotation of the analyses; `None` if
+/// the hub is wrong.
+fn check_rotation(
+    (document, root, rotors): (&Document, &Table<'_>, &Rotors),
+    gravity: &Vector3<f64>,
+    builder: &mut ModelBuilder,
+    analyses: &Analyses,
+) -> Option<()> {
+    rotors::check(document, rotors, analyses, builder.hub()?);
+    analyses.check(root, gravity, &builder.hub()?.frame_rotation());
+    rotating_start::check((document, root), builder, analyses);
+    check_air(root, builder, analyses);
+    Some(())
 }
 
 /// Reads the cards of the parts of the model.

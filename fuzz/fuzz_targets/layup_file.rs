@@ -1,4 +1,4 @@
-//! Layup files, turbine files of windIO and sections of PreVABS; a section of what is read.
+//! Layup files, turbine files of windIO and sections of PreVABS; a section of each layup.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

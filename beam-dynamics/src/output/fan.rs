@@ -29,7 +29,7 @@ const LEGEND: f64 = 70.0;
 const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
-/// Critical speeds of a rotor above which only those of the multiples b and 2b are marked.
+/// Critical speeds of a rotor above which only the ones at the multiples b and 2b are marked.
 const MOST_MARKS: usize = 30;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;

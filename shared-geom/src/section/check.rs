@@ -287,28 +287,23 @@ fn stiffness(k: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
     }
     for i in 0..6 {
         if k[(i, i)] <= 0.0 {
-            let (index, value) = (i + 1, k[(i, i)]);
-            let component = COMPONENTS[i];
             let problem = PropertyProblem::Diagonal {
                 field,
-                index,
-                component,
-                value,
+                index: i + 1,
+                component: COMPONENTS[i],
+                value: k[(i, i)],
             };
             return found.push((field, problem));
         }
     }
     let value = smallest_scaled_eigenvalue(&dynamic(k));
     if value <= 0.0 {
-        let expected = "positive definite";
-        found.push((
+        let problem = PropertyProblem::Indefinite {
             field,
-            PropertyProblem::Indefinite {
-                field,
-                expected,
-                value,
-            },
-        ));
+            expected: "positive definite",
+            value,
+        };
+        found.push((field, problem));
     }
 }
 

@@ -318,6 +318,11 @@ fn files_that_are_no_tables_are_reported() {
         "{reported}"
     );
     assert!(reported.help().unwrap().contains("NAME.restart.json"));
+}
+
+#[test]
+fn files_that_are_no_states_are_reported_with_their_kind() {
+    let folder = tempfile::tempdir().unwrap();
     for (name, content, expected) in [
         (
             "b.properties.json",

@@ -17,7 +17,7 @@ pub(super) fn unfolded_size(
     let sizes = &blade.sizes;
     let tried = FACTORS.iter().map(|factor| {
         let size = factor * sizes.size;
-        // cells of cores have the size of those of walls unless another one is requested
+        // cells of cores have the size of the cells of walls unless another one is requested
         let core = if sizes.core == sizes.size {
             size
         } else {
