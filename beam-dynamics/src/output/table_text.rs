@@ -57,11 +57,7 @@ const SHAFT_WHIRL: &str = "\
 /// Meaning of the numbers and names of `table`, without the kinds of blades for a shaft.
 pub fn convention(table: &FrequencyTable) -> String {
     let text = of_all_kinds(table);
-    let whirls = table
-        .branches
-        .iter()
-        .any(|branch| branch.harmonic.is_some());
-    if !(whirls && table.is_shaft()) {
+    if !(has_whirls(table) && table.is_shaft()) {
         return text;
     }
     let is_of_blades = |line: &&str| {
@@ -75,8 +71,7 @@ pub fn convention(table: &FrequencyTable) -> String {
 /// Meaning of the numbers and names of `table`, with the kinds of blades.
 fn of_all_kinds(table: &FrequencyTable) -> String {
     let damping = if is_damped(table) { DAMPING } else { "" };
-    let mut branches = table.branches.iter();
-    let whirl = match branches.any(|branch| branch.harmonic.is_some()) {
+    let whirl = match has_whirls(table) {
         true if table.is_shaft() => SHAFT_WHIRL,
         true => WHIRL,
         false => "",
@@ -98,6 +93,21 @@ fn of_all_kinds(table: &FrequencyTable) -> String {
             .replace("progressive", "forward")
             .replace("regressive", "backward"),
     }
+}
+
+/// Whether any mode has a pattern around the axis, in its name or at a speed.
+fn has_whirls(table: &FrequencyTable) -> bool {
+    let mut points = table
+        .branches
+        .iter()
+        .flat_map(|b| b.points.iter().flatten());
+    let mut branches = table.branches.iter();
+    branches.any(|branch| branch.harmonic.is_some())
+        || points.any(|point| {
+            point
+                .whirl
+                .is_some_and(|w| w.is_pure() && w.has_direction())
+        })
 }
 
 /// Whether any mode is damped or grows.
@@ -258,6 +268,8 @@ torsion 1                 -     -      -    99.500  9.950  0.000
                 share: 1.0,
             });
         }
+        // at rest its modes have no direction, and its names no pattern
+        table.branches[0].harmonic = None;
         let of_shaft = convention(&table);
         assert!(of_shaft.contains("\n  progressive, regressive: whirl"));
         assert!(
