@@ -53,6 +53,7 @@ mod first_order;
 mod growing;
 pub mod identification;
 pub mod linear;
+mod linking;
 mod modal_damping;
 pub mod modes;
 pub mod performance;

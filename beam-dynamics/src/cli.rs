@@ -9,7 +9,7 @@ use clap::Parser;
 use shared_geom::error::Explain;
 use shared_geom::files::OutputProblem;
 
-use crate::analysis::modes::modes;
+use crate::analysis::modes::modes_watched;
 use crate::case::ModesSettings;
 use crate::input::{self, Input};
 use crate::output::{self, ResultLocation, Written};
@@ -42,6 +42,7 @@ mod trim;
 
 use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
+use progress::Progress;
 use result_locations::result_locations;
 use terminal::Terminal;
 
@@ -292,7 +293,16 @@ fn modes_of(
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let outcome = modes(&input.model, settings);
+    let progress = Progress::of_search(terminal.part());
+    let outcome = modes_watched(&input.model, settings, &|at| {
+        let (done, all) = (at.equilibria + at.solved, 2 * at.all.max(1));
+        let place = match at.solved {
+            0 => format!("equilibrium {} of {}", at.equilibria, at.all),
+            solved => format!("modes {solved} of {}", at.all),
+        };
+        progress.note(done as f64 / all as f64, &place);
+    });
+    progress.finish();
     let mut table = outcome.table;
     let failure = outcome
         .failure
@@ -304,6 +314,7 @@ fn modes_of(
         written.files.extend(shapes.files);
         Ok(written)
     });
+    terminal.remark(&location.name, &table.remarks);
     terminal.show(&output::result_text(&table, &input.measured));
     let failure = outcome.failure.map(|failure| {
         let (reached, requested) = (table.speeds.len(), settings.speeds.len());

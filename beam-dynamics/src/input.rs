@@ -38,6 +38,7 @@ mod csv_rows;
 mod curved;
 mod curved_fit;
 mod damping;
+mod driven_joint;
 mod drives;
 mod electrodes;
 mod ends;
@@ -78,6 +79,7 @@ mod stability;
 mod strips;
 mod summary;
 mod sweep;
+mod too_stiff;
 mod transient;
 mod trim;
 
@@ -483,7 +485,7 @@ fn finish(
     measured: Measured,
 ) -> Option<Input> {
     let summary = builder.summary(analyses.modes.as_ref(), &measured);
-    let remarks = builder.remarks(analyses.buckling.is_some());
+    let remarks = builder.remarks(analyses.buckling.is_some(), analyses.modes.is_some());
     let frame_rotation = builder.hub()?.frame_rotation();
     let model = builder.model(name, frame_rotation)?;
     Some(Input {

@@ -9,12 +9,15 @@ mod blade_text;
 mod buckling;
 mod color_bar;
 mod comparison;
+mod critical_table;
+mod decaying;
 mod fan;
 mod files;
 mod folder;
 mod grid;
 mod identification;
 mod linear;
+mod mode_units;
 mod performance;
 mod periodic;
 mod rows;
@@ -44,6 +47,8 @@ pub use buckling::{
     BUCKLING_CONVENTION, BucklingPlot, buckling_csv, buckling_text, write_buckling,
 };
 pub use comparison::{comparison_csv, comparison_text};
+pub use critical_table::critical_csv;
+pub use decaying::decaying_csv;
 pub use fan::FanPlot;
 pub use files::{result_text, write};
 pub use folder::{ResultLocation, Written};
@@ -62,7 +67,7 @@ pub use statics::{
     reaction_csv, static_text, write_static,
 };
 pub use table_csv::frequency_csv;
-pub use table_fixed::{campbell_csv, critical_csv, fixed_text};
+pub use table_fixed::{campbell_csv, fixed_text};
 pub use table_modes::mode_csv;
 pub use table_text::{CONVENTION, convention, frequency_text};
 pub use transient::{

@@ -7,6 +7,7 @@ use crate::case::{ModeStyle, Words};
 mod air_columns;
 mod buckling;
 mod columns;
+mod critical;
 mod fixed;
 mod identification;
 mod linear;
@@ -19,7 +20,8 @@ mod trim;
 
 pub use buckling::{BucklingMode, BucklingResult};
 pub use columns::ColumnValues;
-pub use fixed::{CriticalSpeed, FixedLine, FixedPoint, FixedTable};
+pub use critical::CriticalSpeed;
+pub use fixed::{FixedLine, FixedPoint, FixedTable};
 pub use identification::{Identification, IdentificationMethod, IdentifiedMode};
 pub use linear::{LinearModel, LinearVariable};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
@@ -293,6 +295,22 @@ pub struct EquilibriumReport {
     pub rotations: Vec<Matrix3<f64>>,
 }
 
+/// A motion that decays without oscillation: a real eigenvalue.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DecayingMotion {
+    /// The eigenvalue, below zero [1/s].
+    pub growth: f64,
+    /// Kind of the motion.
+    pub kind: ModeKind,
+}
+
+impl DecayingMotion {
+    /// The time in which it falls to 1/e of its size [s].
+    pub fn time_constant(&self) -> f64 {
+        -1.0 / self.growth
+    }
+}
+
 /// Frequencies over rotor speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrequencyTable {
@@ -304,21 +322,27 @@ pub struct FrequencyTable {
     pub branches: Vec<ModeBranch>,
     /// Equilibrium at each speed.
     pub equilibria: Vec<EquilibriumReport>,
+    /// Motions that decay without oscillation at each speed, the slowest first; those whose decay
+    /// is faster than the highest of the modes are not among them.
+    pub decaying: Vec<Vec<DecayingMotion>>,
     /// Remarks for the user, for example on an unstable equilibrium.
     pub remarks: Vec<String>,
     /// Words, units and multiples of tables and figures.
     pub style: ModeStyle,
+    /// Whether the model has one blade, whose critical speeds are those of the turning axes.
+    pub is_single_blade: bool,
 }
 
 impl FrequencyTable {
     /// Multiples of the rotor speed of figures and critical speeds: the chosen ones, or else 1, b,
-    /// 2b and 3b for b blades, and 1 and 2 for a shaft.
+    /// 2b and 3b for b blades, 1, 2 and 3 for a single blade, and 1 and 2 for a shaft.
     pub fn harmonics(&self) -> Vec<u32> {
         if !self.style.harmonics.is_empty() {
             return self.style.harmonics.clone();
         }
         match u32::try_from(self.blades()) {
             Ok(blades) if blades > 1 => vec![1, blades, 2 * blades, 3 * blades],
+            _ if self.is_single_blade => vec![1, 2, 3],
             _ => vec![1, 2],
         }
     }

@@ -20,6 +20,7 @@
 
 mod annulus;
 mod bracket;
+mod descent;
 mod induction;
 mod loss;
 mod skew;

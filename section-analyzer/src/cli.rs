@@ -59,6 +59,9 @@ impl From<io::Error> for Stop {
 struct Terminal<'a> {
     out: &'a mut dyn Write,
     err: &'a mut dyn Write,
+    /// Whether no report is printed; the warnings that it contains are then reported as problems
+    /// are.
+    is_quiet: bool,
 }
 
 /// Runs the program with the arguments of a command line, whose first is the name of the
@@ -71,7 +74,11 @@ pub fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> u8 {
-    let mut terminal = Terminal { out, err };
+    let mut terminal = Terminal {
+        out,
+        err,
+        is_quiet: false,
+    };
     match dispatch(arguments, &mut terminal) {
         Ok(()) => DONE,
         Err(Stop::Reported(code)) => code,
@@ -98,13 +105,15 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     let mut nowhere = io::sink();
+    let is_quiet = arguments.is_quiet();
     let terminal = &mut Terminal {
-        out: if arguments.is_quiet() {
+        out: if is_quiet {
             &mut nowhere
         } else {
             &mut *terminal.out
         },
         err: &mut *terminal.err,
+        is_quiet,
     };
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),

@@ -21,6 +21,7 @@ mod declare;
 mod include;
 mod inner;
 mod item;
+mod joined;
 mod key;
 mod lookup;
 mod nested;

@@ -433,6 +433,12 @@ fn keys_of_other_kinds_are_refused() {
             "axis = [0, 0, 1]",
             "\"axis\", which belongs to a \"hub\"",
         ),
+        (
+            "uniform",
+            "ground = 4.5",
+            "has its ground at 4.5 m along the vertical, and the center of the rotor is at 0 m",
+        ),
+        ("Drees", "ground = 0", "is a coordinate, not a height"),
         ("dress", "", "did you mean \"Drees\""),
     ] {
         let rotor = Rotor {

@@ -32,6 +32,8 @@ fn a_disk_whirls_at_one_frequency_and_is_critical_there() {
     let named = |name: &str| table.branches.iter().any(|branch| branch.name == name);
     assert!(named("lateral 1 progressive"), "{:?}", table.branches);
     assert!(named("lateral 1 regressive") && named("axial 1"));
+    // The progressive whirl has the frequency zero in the turning axes at 604 rpm, and keeps its name.
+    assert_eq!(table.branches.len(), 3, "{:?}", table.branches);
     let fixed = FixedTable::new(&table, &[1]).unwrap();
     let [across, along] = [4e4_f64, 9e4].map(|k| (k / 10.0).sqrt() / TAU);
     assert_eq!(fixed.lines.len(), 3, "{:?}", fixed.lines);
@@ -60,7 +62,7 @@ fn a_disk_whirls_at_one_frequency_and_is_critical_there() {
         "{forward:?}"
     );
     let kinds = table.branches.iter().map(|branch| branch.kind);
-    assert_eq!(kinds.filter(|kind| *kind == ModeKind::Lateral).count(), 3);
+    assert_eq!(kinds.filter(|kind| *kind == ModeKind::Lateral).count(), 2);
 }
 
 // Whatever the distance of the speeds, both whirls, forward and backward, meet the speed at f, and
@@ -88,10 +90,37 @@ fn critical_speeds_do_not_depend_on_the_speeds_of_the_list() {
         let found: Vec<_> = of_whirls.collect();
         let crosses = speeds[0] * rpm < critical && critical < speed * rpm;
         crossed += usize::from(crosses);
+        assert_eq!(table.branches.len(), 3, "{list} {:?}", table.branches);
         assert_eq!(found.len(), if crosses { 2 } else { 0 }, "{list} {found:?}");
         for one in found {
             assert!((one.speed / critical - 1.0).abs() < 1e-8, "{list} {one:?}");
         }
     }
     assert!(2 * crossed > cases(100), "{crossed}");
+}
+
+// One blade: the frequencies of its table in the turning axes, as straight lines between the speeds,
+// meet n times the speed where `f_a + x (f_b - f_a) = n (Omega_a + x (Omega_b - Omega_a)) / 2 pi`.
+#[test]
+fn a_single_blade_is_critical_where_its_frequency_is_a_multiple_of_the_speed() {
+    let speeds = "speeds = [0, 40, 80, 120]";
+    let model = format!(
+        "units = \"SI\"\n[properties.p]\nea = 1e9\ngay = 1e9\ngaz = 1e9\ngj = 1e6\neiy = 1e5\n\
+         eiz = 4e5\nm = 10\niy = 0.1\niz = 0.1\n[[blade]]\nname = \"b\"\nroot = [0.5, 0, 0]\nproperties = \"p\"\n\
+         [[blade.piece]]\nlength = 10\nelements = 4\n[modes]\n{speeds}\ncount = 3\n"
+    );
+    let table = table(&model);
+    assert!(FixedTable::new(&table, &[1]).is_none());
+    let critical = table.critical_of_blade(&table.harmonics());
+    assert!(critical.len() > 2, "{critical:?}");
+    for one in &critical {
+        let turns = one.speed / TAU;
+        let expected = f64::from(one.order) * turns;
+        assert!((one.frequency / expected - 1.0).abs() < 1e-12, "{one:?}");
+        let branch = table.branches.iter().find(|b| b.name == one.name).unwrap();
+        let k = table.speeds.iter().rposition(|s| *s <= one.speed).unwrap();
+        let [a, b] = [k, k + 1].map(|k| branch.points[k].as_ref().unwrap().frequency);
+        let part = (one.speed - table.speeds[k]) / (table.speeds[k + 1] - table.speeds[k]);
+        assert!((a + part * (b - a) - one.frequency).abs() < 1e-9, "{one:?}");
+    }
 }

@@ -74,8 +74,7 @@ fn named(table: &FrequencyTable) -> Vec<(String, f64)> {
 #[test]
 fn a_free_beam_has_six_rigid_modes_and_the_closed_form() {
     const CLOSED: [f64; 3] = [22.373_285, 61.672_823, 120.903_392];
-    let text =
-        properties() + &beam("n", 0.0, 24) + "[modes]\nspeeds = 0\ncount = 11\nfree = true\n";
+    let text = properties() + &beam("n", 0.0, 24) + "[modes]\nspeeds = 0\ncount = 5\nfree = true\n";
     let found = named(&table(&text));
     let names: Vec<_> = found.iter().map(|(name, _)| name.as_str()).collect();
     let rigid = (1..=6).map(|i| format!("rigid {i}"));
@@ -130,7 +129,7 @@ fn loads_that_drive_a_free_motion_are_reported() {
 #[test]
 fn parts_and_hinges_add_rigid_modes() {
     let two = properties() + &beam("a", 0.0, 4) + &beam("b", LENGTH, 4);
-    let modes = "[modes]\nspeeds = 0\ncount = 14\nfree = true\n";
+    let modes = "[modes]\nspeeds = 0\ncount = 2\nfree = true\n";
     let hinge = "[[hinge]]\nname = \"h\"\nnodes = [\"a8\", \"b0\"]\naxis = [0, 1, 0]\n";
     for (text, expected) in [
         (format!("{two}{modes}"), 12),
@@ -142,6 +141,7 @@ fn parts_and_hinges_add_rigid_modes() {
             .iter()
             .filter(|branch| branch.kind == ModeKind::Rigid);
         assert_eq!(rigid.count(), expected);
+        assert_eq!(table.branches.len(), expected + 2);
         let zero = named(&table)
             .iter()
             .filter(|(_, frequency)| *frequency == 0.0)

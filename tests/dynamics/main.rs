@@ -41,6 +41,7 @@ mod linear;
 mod loads;
 mod mbdyn_model;
 mod mechanisms;
+mod overdamped;
 mod pendulum;
 mod periodic;
 mod piezo;

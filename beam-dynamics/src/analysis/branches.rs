@@ -53,9 +53,8 @@ impl Branches {
     }
 
     /// The branches that are among the lowest modes requested by `settings` at some of the
-    /// `speeds` \[rad/s\], with names.
+    /// `speeds` \[rad/s\], with names; rigid modes of a free model are not counted.
     pub fn into_table(mut self, speeds: &[f64], settings: &ModesSettings) -> Vec<ModeBranch> {
-        let count = settings.count;
         for branch in &mut self.all {
             branch.points.resize(speeds.len(), None);
         }
@@ -69,6 +68,8 @@ impl Branches {
                 .filter_map(|other| other.points[speed].as_ref());
             Some(below.filter(|point| point.frequency < own).count())
         };
+        let rigid = self.all.iter().filter(|b| b.kind == ModeKind::Rigid);
+        let count = settings.count + rigid.count();
         let kept: Vec<_> = self
             .all
             .iter()

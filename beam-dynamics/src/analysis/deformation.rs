@@ -6,7 +6,11 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+use shared_geom::rotation::vector;
+
+use crate::case::Model;
 use crate::elements::SectionState;
+use crate::model::State;
 
 /// Rotation between the middle and an end of an element beyond which it is reported
 /// \[rad\]: distances are then short by 1.4e-3.
@@ -57,6 +61,22 @@ fn bending(sections: &[SectionState], when: &str) -> Option<String> {
             (worst.turn / GOOD).ceil()
         )
     })
+}
+
+/// The node of a turning model that has turned farthest from its undeformed attitude, and
+/// by how much \[deg\], where that is more than a quarter turn.
+pub(super) fn folded(model: &Model, speed: f64, state: &State) -> Option<(String, f64)> {
+    if speed == 0.0 {
+        return None;
+    }
+    let pairs = model.system.nodes().iter().zip(&state.nodes);
+    let turned = pairs.map(|(node, now)| {
+        let turn = vector::from_rotation(&(now.rotation * node.rotation.transpose()));
+        (node.label.clone(), turn.norm().to_degrees())
+    });
+    turned
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .filter(|most| most.1 > 90.0)
 }
 
 #[cfg(test)]

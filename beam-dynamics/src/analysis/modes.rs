@@ -1,25 +1,25 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
-use shared_geom::rotation::vector;
 
 use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesSettings};
 use crate::model::State;
 use crate::modes::{
-    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, align, assurances, closeness,
-    follow, separate, shaft_whirl,
+    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, separate, shaft_whirl,
 };
-use crate::result::{EquilibriumReport, FrequencyTable, ModePoint};
+use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModePoint};
 use crate::solver::LinearSolver;
 
 use super::branches::Branches;
-use super::deformation::deformation;
+use super::deformation::{deformation, folded};
 use super::fewer_modes::why_no_more;
 use super::first_order::first_order;
 use super::growing;
+use super::linking::{Mode, direct_links};
 use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
@@ -64,9 +64,11 @@ pub struct ModesOutcome {
 struct Modes {
     speed: f64,
     state: State,
+    /// Modes to report: of a free model the rigid ones beside the requested ones.
+    count: usize,
     found: Vec<Mode>,
-    /// Real eigenvalues that were found [1/s], with their motions.
-    real: Vec<(f64, ModeMotion)>,
+    /// Real eigenvalues that were found.
+    real: Vec<Mode>,
     /// Remarks on oscillations that grow.
     growing: Vec<String>,
     /// The reason for fewer modes than requested.
@@ -75,33 +77,8 @@ struct Modes {
     residual: f64,
 }
 
-struct Mode {
-    motion: ModeMotion,
-    point: ModePoint,
-    /// `d (f^2) / d (Omega^2)` from the speed before, where the mode was followed from
-    /// there: nearly constant for a turning blade [Hz^2 s^2/rad^2].
-    slope: Option<f64>,
-}
-
-impl Mode {
-    /// Frequency to be expected at another speed [Hz].
-    fn expected(&self, from: f64, to: f64) -> Option<f64> {
-        let square = self.point.frequency.powi(2) + self.slope? * (to * to - from * from);
-        Some(square.max(0.0).sqrt())
-    }
-
-    /// Pattern and signed frequency [Hz] in the fixed system of a whirl; the frequency of a shaft's
-    /// whirl hardly changes with the speed there, and its shape in the turning axes is the
-    /// conjugate one beyond its critical speed.
-    fn in_fixed_system(&self, speed: f64) -> Option<(i32, f64)> {
-        let whirl = self
-            .point
-            .whirl
-            .filter(|w| w.is_pure() && w.has_direction())?;
-        let seen = whirl.signed_in_fixed_system(self.point.frequency, speed / TAU);
-        Some((whirl.harmonic.abs(), seen))
-    }
-}
+/// Called with the progress.
+type Watch<'a> = &'a (dyn Fn(ModesProgress) + Sync);
 
 /// A model and the settings of its modes.
 #[derive(Clone, Copy)]
@@ -111,9 +88,19 @@ struct Case<'a> {
     rotor: Option<&'a Rotor>,
     /// Whether the tangent is symmetric in the undeformed model.
     is_symmetric: bool,
+    watch: Watch<'a>,
 }
 
 impl Case<'_> {
+    /// Reports the progress.
+    fn note(&self, equilibria: usize, solved: usize) {
+        (self.watch)(ModesProgress {
+            equilibria,
+            solved,
+            all: self.settings.speeds.len(),
+        });
+    }
+
     /// Adds the shares of the energy and the kind of motion of a mode.
     fn describe(&self, mode: &mut Mode) {
         let naming = &self.model.naming;
@@ -126,14 +113,32 @@ impl Case<'_> {
     }
 }
 
+/// Progress of the modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModesProgress {
+    /// Speeds whose equilibrium is known.
+    pub equilibria: usize,
+    /// Speeds whose modes are known.
+    pub solved: usize,
+    /// All speeds.
+    pub all: usize,
+}
+
 /// Steady equilibrium and modes at each speed of `settings`.
 pub fn modes(model: &Model, settings: &ModesSettings) -> ModesOutcome {
+    modes_watched(model, settings, &|_| {})
+}
+
+/// As [`modes`]; `watch` is called after each equilibrium and each set of modes, of which several
+/// are found in parallel.
+pub fn modes_watched(model: &Model, settings: &ModesSettings, watch: Watch<'_>) -> ModesOutcome {
     let rotor = Rotor::new(&model.blades);
     let case = &Case {
         model,
         settings,
         rotor: rotor.as_ref(),
         is_symmetric: growing::is_symmetric_at_rest(&model.system),
+        watch,
     };
     let mut branches = Branches::default();
     let mut table = FrequencyTable {
@@ -141,8 +146,10 @@ pub fn modes(model: &Model, settings: &ModesSettings) -> ModesOutcome {
         speeds: Vec::new(),
         branches: Vec::new(),
         equilibria: Vec::new(),
+        decaying: Vec::new(),
         remarks: Vec::new(),
         style: settings.style.clone(),
+        is_single_blade: model.blades.len() == 1,
     };
     let failure = run(case, &mut branches, &mut table).err();
     table.branches = branches.into_table(&table.speeds, settings);
@@ -162,8 +169,12 @@ fn run(
     let (equilibria, failure) = equilibria(case, &solver);
     // The first chooses pivots that the others share.
     let (first, others) = equilibria.split_at(1.min(equilibria.len()));
+    let solved = AtomicUsize::new(0);
     let at = |solver: &LinearSolver, (speed, steady): &(f64, Equilibrium)| {
-        at_equilibrium(case, solver, *speed, steady)
+        let found = at_equilibrium(case, solver, *speed, steady);
+        let solved = 1 + solved.fetch_add(1, Ordering::Relaxed);
+        case.note(equilibria.len(), solved);
+        found
     };
     let mut found: Vec<_> = first.iter().map(|at_first| at(&solver, at_first)).collect();
     found.par_extend(others.par_iter().map(|other| at(&solver.clone(), other)));
@@ -182,6 +193,7 @@ fn run(
         branches.add(&found, links.as_deref(), with_shapes);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
+        table.decaying.push(decaying(case, &mut now));
         table.remarks.extend(remarks(case, &now, last.is_none()));
         last = Some(now);
     }
@@ -202,6 +214,27 @@ fn run(
     failure.map_or(Ok(()), Err)
 }
 
+/// The decaying motions among the real values, slow to fast, up to the magnitude of the highest of
+/// the modes: beyond it they are not complete.
+fn decaying(case: &Case<'_>, modes: &mut Modes) -> Vec<DecayingMotion> {
+    let listed = modes.found.iter().take(modes.count);
+    let sizes = listed.map(|m| m.point.growth.hypot(TAU * m.point.frequency));
+    let fastest = sizes.fold(0.0, f64::max);
+    let own = modes.real.iter_mut();
+    let own = own.filter(|mode| mode.point.growth < 0.0 && -mode.point.growth <= fastest);
+    let motion = |mode: &mut Mode| {
+        case.describe(mode);
+        DecayingMotion {
+            growth: mode.point.growth,
+            kind: mode.point.kind(),
+        }
+    };
+    let mut found: Vec<_> = own.map(motion).collect();
+    found.sort_by(|a, b| b.growth.total_cmp(&a.growth));
+    found.truncate(modes.count);
+    found
+}
+
 /// Equilibria at the speeds up to the first that has none, and why that has none.
 fn equilibria(
     case: &Case<'_>,
@@ -214,7 +247,10 @@ fn equilibria(
             .last()
             .map_or(rest, |(speed, steady)| (*speed, steady.state.clone()));
         match steady(case, solver, (from.0, &from.1), speed) {
-            Ok(steady) => found.push((speed, steady)),
+            Ok(steady) => {
+                found.push((speed, steady));
+                case.note(found.len(), 0);
+            }
             Err(problem) => return (found, Some(problem.into())),
         }
     }
@@ -255,21 +291,26 @@ fn report(steady: &Equilibrium) -> EquilibriumReport {
 fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     let at = format!("at {}", rpm(modes.speed));
     let mut found = Vec::new();
-    if let Some((node, angle)) = folded(case.model, modes) {
+    if let Some((node, angle)) = folded(case.model, modes.speed, &modes.state) {
         found.push(format!(
             "{at} node \"{node}\" has turned by {angle:.0} deg: the model is folded, and another \
              equilibrium may be the one that is sought"
         ));
     }
-    if is_first && modes.found.len() < case.settings.count {
+    if is_first && modes.found.len() < modes.count {
         let why = &modes.why_no_more;
+        let rigid = modes.count - case.settings.count;
+        let (beside, elastic) = match rigid {
+            0 => (String::new(), ""),
+            _ => (format!(" beside the {rigid} rigid ones"), "elastic "),
+        };
         found.push(format!(
-            "{} of {} modes were found: {why}",
-            modes.found.len(),
+            "{} of {} {elastic}modes were found{beside}: {why}",
+            modes.found.len().saturating_sub(rigid),
             case.settings.count
         ));
     }
-    let mut real = modes.real.iter().map(|own| own.0);
+    let mut real = modes.real.iter().map(|own| own.point.growth);
     if let Some(worst) = real.rfind(|growth| *growth > 0.0) {
         found.push(format!(
             "{at} the equilibrium is unstable: a motion grows with {worst:.3e} 1/s"
@@ -286,22 +327,6 @@ fn remarks(case: &Case<'_>, modes: &Modes, is_first: bool) -> Vec<String> {
     found
 }
 
-/// The node of a turning model that has turned farthest from its undeformed attitude, and
-/// by how much \[deg\], where that is more than a quarter turn.
-fn folded(model: &Model, modes: &Modes) -> Option<(String, f64)> {
-    if modes.speed == 0.0 {
-        return None;
-    }
-    let pairs = model.system.nodes().iter().zip(&modes.state.nodes);
-    let turned = pairs.map(|(node, now)| {
-        let turn = vector::from_rotation(&(now.rotation * node.rotation.transpose()));
-        (node.label.clone(), turn.norm().to_degrees())
-    });
-    turned
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .filter(|most| most.1 > 90.0)
-}
-
 /// Linearizes at an equilibrium and finds the lowest modes.
 fn at_equilibrium(
     case: &Case<'_>,
@@ -314,12 +339,15 @@ fn at_equilibrium(
     let massless = MasslessMotions::new(system, &tangent);
     let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
     let problem = problem.ok_or(Failure::Singular { speed })?;
-    // At one speed nothing is followed, but copies are separated together.
+    // Copies are separated together, and some of them alone cannot be followed to another speed.
+    let of_copies = copies(case.model) - 1;
     let spare = match case.settings.speeds.len() {
-        0 | 1 => copies(case.model) - 1,
-        _ => SPARE,
+        0 | 1 => of_copies,
+        _ => SPARE.max(of_copies),
     };
-    let lowest = problem.lowest(case.settings.count + spare);
+    let lowest = lowest(&problem, (case.settings.count, spare), case.settings.free);
+    let rigid = lowest.pairs.iter().filter(|pair| is_rigid(pair)).count();
+    let count = case.settings.count + if case.settings.free { rigid } else { 0 };
     let Lowest { pairs, real, .. } = &lowest;
     let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
     let mut motions: Vec<_> = pairs
@@ -336,18 +364,41 @@ fn at_equilibrium(
         point: point(pair),
         slope: None,
     };
-    let of_real = |value: &f64| (*value, ModeMotion::new(&problem.real_pair(*value), &mass));
-    let own = &pairs[..pairs.len().min(case.settings.count)];
+    let of_real = |value: &f64| Mode {
+        motion: ModeMotion::new(&problem.real_pair(*value), &mass),
+        point: point_of(*value, 0.0),
+        slope: None,
+    };
+    let own = &pairs[..pairs.len().min(count)];
     let at = format!("at {}", rpm(speed));
     Ok(Modes {
         growing: growing::remarks(&problem, own, case.is_symmetric, &at),
         speed,
         state: steady.state.clone(),
+        count,
         found: pairs.iter().zip(motions).map(mode).collect(),
         why_no_more: why_no_more(&lowest),
         real: real.iter().map(of_real).collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// The lowest `count` modes and `spare` ones; of a free model beside its rigid ones.
+fn lowest(problem: &EigenProblem<'_>, (count, spare): (usize, usize), free: bool) -> Lowest {
+    let mut requested = count + spare;
+    loop {
+        let found = problem.lowest(requested);
+        let rigid = found.pairs.iter().filter(|pair| is_rigid(pair)).count();
+        if !free || rigid + count + spare <= requested || found.pairs.len() < requested {
+            return found;
+        }
+        requested = rigid + count + spare;
+    }
+}
+
+/// Whether the motion has no stiffness.
+fn is_rigid(pair: &Eigenpair) -> bool {
+    pair.angular_frequency == 0.0
 }
 
 /// The lowest `count` modes of `model` about an equilibrium at a rotor speed \[rad/s\], described, and
@@ -366,15 +417,11 @@ pub(super) fn modes_about(
         settings: &ModesSettings::new(vec![speed], count),
         rotor: rotor.as_ref(),
         is_symmetric: true,
+        watch: &|_| {},
     };
     let solver = LinearSolver::new(model.system.pattern());
     let found = at_equilibrium(&case, &solver, speed, steady)?;
-    let real = found.real.into_iter().map(|(growth, motion)| Mode {
-        motion,
-        point: point_of(growth, 0.0),
-        slope: None,
-    });
-    let mut all: Vec<_> = found.found.into_iter().chain(real).collect();
+    let mut all: Vec<_> = found.found.into_iter().chain(found.real).collect();
     all.iter_mut().for_each(|mode| case.describe(mode));
     Ok(all
         .into_iter()
@@ -426,7 +473,9 @@ fn links(
     now: &mut Modes,
     halvings: usize,
 ) -> Result<Vec<Option<(usize, f64)>>, Failure> {
-    let direct = direct_links(case, before, now);
+    let from = (before.speed, &before.found[..]);
+    let to = (now.speed, &mut now.found[..]);
+    let direct = direct_links(from, to, |mode| case.describe(mode));
     let reported = direct.iter().take(case.settings.count);
     let certain = reported
         .clone()
@@ -446,47 +495,4 @@ fn links(
         Some((end, mac.min(other)))
     });
     Ok(chained.collect())
-}
-
-/// For each mode of `before` its nearest shape in `now`. Repeated modes in `now` are turned
-/// toward the modes of `before`, and described after that.
-fn direct_links(case: &Case<'_>, before: &Modes, now: &mut Modes) -> Vec<Option<(usize, f64)>> {
-    let motions = |modes: &Modes| -> Vec<ModeMotion> {
-        modes.found.iter().map(|mode| mode.motion.clone()).collect()
-    };
-    let frequencies: Vec<_> = now.found.iter().map(|mode| mode.point.frequency).collect();
-    let (known, mut found) = (motions(before), motions(now));
-    align(&mut found, &frequencies, &known);
-    let macs = assurances(&known, &found);
-    for (mode, motion) in now.found.iter_mut().zip(found) {
-        mode.motion = motion;
-        case.describe(mode);
-    }
-    let weight = |a: &Mode, b: &Mode| {
-        let turning = a.expected(before.speed, now.speed);
-        let turning = turning.map(|expected| closeness(expected, b.point.frequency));
-        let fixed = a
-            .in_fixed_system(before.speed)
-            .zip(b.in_fixed_system(now.speed));
-        let fixed = fixed.filter(|(a, b)| a.0 == b.0);
-        let fixed = fixed.map(|(a, b)| closeness(a.1, b.1));
-        turning.into_iter().chain(fixed).reduce(f64::max)
-    };
-    let row = |a: &Mode| {
-        now.found
-            .iter()
-            .map(|b| weight(a, b).unwrap_or(1.0))
-            .collect()
-    };
-    let weights: Vec<Vec<_>> = before.found.iter().map(row).collect();
-    let followed = follow(&macs, &weights);
-    let squares = now.speed.powi(2) - before.speed.powi(2);
-    for (i, next) in followed.iter().enumerate() {
-        if let Some(j) = *next {
-            let [from, to] = [&before.found[i], &now.found[j]].map(|mode| mode.point.frequency);
-            now.found[j].slope = Some((to * to - from * from) / squares);
-        }
-    }
-    let linked = |(i, next): (usize, &Option<usize>)| next.map(|j| (j, macs[i][j]));
-    followed.iter().enumerate().map(linked).collect()
 }

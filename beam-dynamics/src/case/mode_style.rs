@@ -27,7 +27,7 @@ impl Words {
     }
 }
 
-/// Unit of frequencies in figures.
+/// Unit of frequencies in tables and figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FrequencyUnit {
     /// Cycles per second.
@@ -71,6 +71,30 @@ impl FrequencyUnit {
             Self::PerRevolution => (speed > 0.0).then(|| TAU * frequency / speed),
         }
     }
+
+    /// The unit of a column beside that of frequencies per revolution: hertz, if these are chosen.
+    pub fn of_column(self) -> Self {
+        match self {
+            Self::PerRevolution => Self::Hertz,
+            unit => unit,
+        }
+    }
+
+    /// The unit of rotor speeds that belongs to this unit, as text: `rad/s` or `rpm`.
+    pub fn speed_word(self) -> &'static str {
+        match self {
+            Self::RadiansPerSecond => "rad/s",
+            _ => "rpm",
+        }
+    }
+
+    /// A rotor speed \[rad/s\] in the unit of [`Self::speed_word`].
+    pub fn speed(self, speed: f64) -> f64 {
+        match self {
+            Self::RadiansPerSecond => speed,
+            _ => 60.0 / TAU * speed,
+        }
+    }
 }
 
 /// How modes are named and drawn.
@@ -78,7 +102,7 @@ impl FrequencyUnit {
 pub struct ModeStyle {
     /// Words of names and tables.
     pub words: Words,
-    /// Unit of frequencies in figures.
+    /// Unit of frequencies in tables and figures.
     pub unit: FrequencyUnit,
     /// Multiples of the rotor speed in figures and among the critical speeds, ascending; empty:
     /// chosen by the number of blades.
@@ -98,6 +122,9 @@ mod tests {
         let values = FrequencyUnit::ALL.map(|unit| unit.value(2.0, TAU));
         assert_eq!(values, [2.0, 120.0, 2.0 * TAU, 2.0].map(Some));
         assert_eq!(FrequencyUnit::PerRevolution.value(2.0, 0.0), None);
+        let speeds = FrequencyUnit::ALL.map(|unit| (unit.speed(TAU), unit.speed_word()));
+        let rpm = (60.0, "rpm");
+        assert_eq!(speeds, [rpm, rpm, (TAU, "rad/s"), rpm]);
         assert_eq!(
             FrequencyUnit::ALL.map(FrequencyUnit::word),
             FrequencyUnit::NAMES

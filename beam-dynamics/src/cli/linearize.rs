@@ -50,6 +50,7 @@ fn linear_of(
     match linearize(input, &read) {
         Ok(mut model) => {
             add_remarks(&mut model.remarks, input, None);
+            terminal.remark(&location.name, &model.remarks);
             terminal.show(&output::linear_text(&model));
             finish(None, output::write_linear(&model, location), terminal)
         }

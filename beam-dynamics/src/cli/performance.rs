@@ -46,6 +46,7 @@ fn performance_of(
 ) -> u8 {
     let result = performance(case);
     let written = output::write_performance(&result, location);
+    terminal.remark(&location.name, &result.remarks);
     terminal.show(&output::performance_text(&result));
     finish(failure(&result), written, terminal)
 }

@@ -97,6 +97,7 @@ pub(super) fn write_period(
         }
         _ => String::new(),
     };
+    terminal.remark(&location.name, &result.remarks);
     let text = output::periodic_text(&result) + &of_rotor;
     let whole = format!("{text}\n{}", output::PERIODIC_CONVENTION);
     terminal.show(&whole);

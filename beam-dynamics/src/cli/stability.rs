@@ -57,6 +57,7 @@ fn stability_of(
     let read = |given: &[(String, f64)]| input::read_with(path, given);
     let mut result = stability(&input.model.name, settings, input.trim.as_ref(), &read);
     result.remarks.splice(0..0, input.remarks.iter().cloned());
+    terminal.remark(&location.name, &result.remarks);
     terminal.show(&output::stability_text(&result));
     let failures = result.failures.iter().map(|(at, [reason, remedy])| {
         let (name, parameter) = (&location.name, &result.parameter);

@@ -127,6 +127,7 @@ fn static_of(
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
+    terminal.remark(&location.name, &result.remarks);
     let written = output::write_static(&result, location);
     let text = format!(
         "{}\n{}",
@@ -171,6 +172,7 @@ fn buckling_of(
         .as_ref()
         .map(|failure| failure as &dyn Display);
     add_remarks(&mut result.remarks, input, failure);
+    terminal.remark(&location.name, &result.remarks);
     let written = output::write_buckling(&result, location);
     let text = format!(
         "{}\n{}",

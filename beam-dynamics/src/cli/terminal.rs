@@ -13,6 +13,8 @@ pub(super) enum Message {
     Flush,
     /// A line for the error stream.
     Report(String),
+    /// A remark of a report, for the error stream if the report is not shown.
+    Remark(String),
 }
 
 /// Output and error stream. A closed pipe discards everything without an error; the work
@@ -85,6 +87,14 @@ impl<'a> Terminal<'a> {
         self.take(Message::Report(text.to_owned()));
     }
 
+    /// Writes the remarks of a result to the error stream, if its report, which has them, is not
+    /// shown.
+    pub fn remark(&mut self, name: &str, remarks: &[String]) {
+        for remark in remarks {
+            self.take(Message::Remark(format!("warning: {name}: {remark}")));
+        }
+    }
+
     /// Writes a message, or passes it on.
     pub fn take(&mut self, message: Message) {
         let (out, err) = match &mut self.sink {
@@ -96,6 +106,8 @@ impl<'a> Terminal<'a> {
             Message::Shown(text) => [out.write_all(text.as_bytes()), Ok(())],
             Message::Flush => [out.flush(), Ok(())],
             Message::Report(text) => [out.flush(), writeln!(err, "{text}")],
+            Message::Remark(text) if self.quiet => [Ok(()), writeln!(err, "{text}")],
+            Message::Remark(_) => [Ok(()), Ok(())],
         };
         results.iter().for_each(|result| self.note(result));
     }

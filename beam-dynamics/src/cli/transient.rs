@@ -200,6 +200,7 @@ fn run(
     let outcome = transient(&input.model, settings, resumed, &mut watched, &clock);
     watched.progress.finish();
     let text = outcome_text(input, settings, &outcome);
+    terminal.remark(name, &[&input.remarks[..], &outcome.remarks].concat());
     terminal.show(&text);
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {

@@ -51,6 +51,7 @@ fn trim_of(
     progress.finish();
     let mut result = outcome.result;
     result.remarks.splice(0..0, input.remarks.iter().cloned());
+    terminal.remark(&location.name, &result.remarks);
     let text = output::trim_text(&result);
     terminal.show(&text);
     let written = output::write_trim(&result, location, json);

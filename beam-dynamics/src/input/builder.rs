@@ -12,6 +12,7 @@ use shared_geom::error::nearest_name;
 use super::aerodynamics::{Aerodynamics, Disks};
 use super::beam_card::Beam;
 use super::beam_section::Properties;
+use super::driven_joint::DrivenJoint;
 use super::drives;
 use super::formulation::Inertia;
 use super::frames::Frames;
@@ -85,6 +86,7 @@ pub(super) struct ModelBuilder {
     /// Blades with strips.
     air_blades: Vec<AirBlade>,
     remarks: Vec<String>,
+    driven: Vec<DrivenJoint>,
     labels: BTreeMap<(&'static str, String), usize>,
     /// Readings of elements, by element names, with their scalars.
     watched: Vec<(String, Reading, Scalar)>,
@@ -130,6 +132,7 @@ impl ModelBuilder {
             blades: Vec::new(),
             air_blades: Vec::new(),
             remarks,
+            driven: Vec::new(),
             labels: BTreeMap::new(),
             watched: Vec::new(),
             watched_energies: Vec::new(),

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use shared_geom::document::schema::ValueKind::{
     Drive as OneDrive, NotNegative, Text, Texts, Vector, Word,
 };
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -14,6 +14,7 @@ use super::ends::{label, pair};
 use super::frames::IN;
 use super::hinge_card::HingeCard;
 use super::problem::InputProblem;
+use super::too_stiff;
 use crate::elements::Signal;
 use crate::elements::joints::HingeSpring;
 use crate::model::Drive;
@@ -129,7 +130,11 @@ fn axis(table: &Table<'_>) -> Option<Vector3<f64>> {
 
 /// Spring and damper of a hinge: `stiffness`, `damping`, `angle`.
 pub(super) fn spring(table: &Table<'_>, drives: &Catalog) -> Option<HingeCard> {
-    let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
+    let resolved = |key: &Key<f64>| {
+        let found = table.get(key)?;
+        too_stiff::is_resolved(table, key.name(), [found]).then_some(found)
+    };
+    let (stiffness, damping) = (resolved(&STIFFNESS), resolved(&DAMPING));
     let angle = if table.has(&ANGLE) {
         drives::read_signal(table, &ANGLE.schema, drives)
     } else {

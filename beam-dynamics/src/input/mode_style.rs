@@ -16,7 +16,7 @@ const HIGHEST: f64 = 1000.0;
 keys! {
     /// Words for the motion of blades: lag, progressive, regressive; or edge, forward, backward.
     pub(super) WORDS: usize = "words", [Word(&Words::NAMES)], or "\"rotor\"" = 0, "\"wind\"";
-    /// Unit of frequencies in figures.
+    /// Unit of frequencies in tables and figures; with `"rad/s"` rotor speeds are in it too.
     pub(super) FREQUENCY_UNIT: usize = "frequency_unit", [Word(&FrequencyUnit::NAMES)],
         or "\"Hz\"" = 0, "\"1/rev\"";
     /// Multiples of the rotor speed in figures and among the critical speeds.

@@ -1,5 +1,6 @@
 //! The rotor input: `NAME.rotor.toml`, a rigid rotor and its operating points.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use rotor_aero::rotor::OperatingPoint;
@@ -15,7 +16,7 @@ use shared_geom::files::name_without;
 use shared_geom::keys;
 
 use super::aerodynamics;
-use crate::case::{PerformanceCase, PerformancePart};
+use crate::case::{PerformanceCase, PerformancePart, PerformanceRequest};
 
 mod air;
 mod blade_file;
@@ -108,6 +109,17 @@ pub fn parse_rotor(text: &str, path: impl AsRef<Path>) -> Result<PerformanceCase
     document.finish(case)
 }
 
+/// Notes a point at a negative speed of rotation.
+fn turns_forward(table: &Table<'_>, part: &PerformancePart) {
+    let PerformanceRequest::Settings(settings) = &part.request else {
+        return;
+    };
+    if let Some(point) = settings.iter().find(|point| point.omega < 0.0) {
+        let rpm = point.omega * 30.0 / PI;
+        table.note("", &PerformanceProblem::Backward { rpm });
+    }
+}
+
 fn case(root: &Table<'_>, default_name: String) -> Option<PerformanceCase> {
     let name = root.text("name").unwrap_or(default_name);
     let _read = ["units", "parameters"].map(|key| root.has(key));
@@ -131,6 +143,7 @@ fn case(root: &Table<'_>, default_name: String) -> Option<PerformanceCase> {
     let mut parts = parts?;
     for (part, table) in &mut parts {
         loads_at::check(table, part, radius);
+        turns_forward(table, part);
     }
     let parts: Vec<PerformancePart> = parts.into_iter().map(|part| part.0).collect();
     if !rotor.holds_mach {

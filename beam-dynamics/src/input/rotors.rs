@@ -103,7 +103,8 @@ fn names(document: &Document) -> Vec<String> {
         .collect()
 }
 
-/// The text of a file with the cards of each rotor in its place; `None` if one is wrong, which has
+/// The text of a file with the cards of each rotor in its place, with the content of all included
+/// files if a rotor is in one of them, or is no table of its own; `None` if one is wrong, which has
 /// been noted.
 pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
     let (rotors, is_sound) = read(document, &[])?;
@@ -113,11 +114,8 @@ pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String>
     };
     let texts: Vec<_> = rotors.iter().map(|(_, cards)| text(cards)).collect();
     let replaced = document.replaced(source, KEY, &texts);
-    if replaced.is_none() {
-        let line = rotors.first().map_or(1, |(rotor, _)| rotor.base.line);
-        document.note(line, &RotorProblem::NotInText);
-    }
-    replaced.filter(|_| is_sound)
+    let text = replaced.unwrap_or_else(|| document.joined(KEY, &texts));
+    is_sound.then_some(text)
 }
 
 /// Rotors with their cards.

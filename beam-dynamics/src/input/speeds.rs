@@ -21,7 +21,7 @@ keys! {
     SPEEDS: Vec<f64> = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)]
         as "a list of rotation speeds, or { from, to, steps }",
         required, "[0, 300]";
-    /// Number of modes to report.
+    /// Number of modes to report; with `free` the rigid ones are beside them.
     COUNT: usize = "count", [Count(MOST_MODES)], or "10" = DEFAULT_COUNT, "8";
     /// Whether to write animated mode shapes for ParaView.
     SHAPES: bool = "shapes", [Boolean], or "false" = false, "true";

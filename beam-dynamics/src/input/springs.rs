@@ -13,6 +13,7 @@ use super::ends::label;
 use super::frames::IN;
 use super::laws::LawProblem;
 use super::problem::InputProblem;
+use super::too_stiff;
 use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
 
 mod between;
@@ -140,7 +141,8 @@ fn six(table: &Table<'_>, keys: [&Key<Vector3<f64>>; 2]) -> Option<[f64; 6]> {
         }
         let dimension = key.schema.dimension();
         let expected = format!("an array of 3, each {dimension}, zero or more");
-        table.get_if(key, |numbers| numbers.min() >= 0.0, &expected)
+        let found = table.get_if(key, |numbers| numbers.min() >= 0.0, &expected)?;
+        too_stiff::is_resolved(table, key.name(), found.iter().copied()).then_some(found)
     };
     let [along, about] = keys.map(three);
     let (along, about) = (along?, about?);

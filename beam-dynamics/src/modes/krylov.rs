@@ -243,12 +243,12 @@ impl Space {
     /// block's columns before it; a fresh vector where nothing of it is left.
     fn append(&mut self, mut column: faer::Col<f64>, size: f64, j: usize) {
         let (known, first) = (self.dimension, self.dimension - self.block);
+        let others = self.basis.subcols(known, j);
         for _ in 0..2 {
+            let along = others.transpose() * &column;
+            column -= others * &along;
             for k in 0..j {
-                let other = self.basis.col(known + k);
-                let along = other.transpose() * &column;
-                column -= other * faer::Scale(along);
-                self.projected[(known + k, first + j)] += along;
+                self.projected[(known + k, first + j)] += along[k];
             }
         }
         let mut norm = column.norm_l2();

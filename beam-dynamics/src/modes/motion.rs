@@ -5,7 +5,7 @@
 //! velocities. For the complex motion q of a mode the energy of direction d of a node
 //! is `Re(conj(q_d) (M q)_d)`; the shares of all directions sum to one.
 
-use nalgebra::{Complex, Vector3};
+use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::Eigenpair;
 use crate::assembly::{Entry, Sparse};
@@ -56,10 +56,18 @@ impl ModeMotion {
         [&self.motion, &self.momentum]
     }
 
+    /// The conjugate motion, of the eigenvalue with the opposite frequency.
+    pub fn conjugate(&self) -> Self {
+        let conjugate = |values: &[Complex<f64>]| values.iter().map(Complex::conj).collect();
+        Self {
+            motion: conjugate(&self.motion),
+            momentum: conjugate(&self.momentum),
+        }
+    }
+
     /// `q_a^H M q_b`.
     pub(super) fn product(&self, other: &Self) -> Complex<f64> {
-        let terms = self.motion.iter().zip(&other.momentum);
-        terms.map(|(q, p)| q.conj() * p).sum()
+        self.along(&other.momentum)
     }
 
     /// Shares of flap, lag, torsion and axial motion, by the axes of each node.
@@ -98,15 +106,9 @@ impl ModeMotion {
         axes: &[NamingAxes],
         weight: impl Fn(usize) -> f64,
     ) -> [Complex<f64>; 4] {
-        const AXIAL_LAG_FLAP: [usize; 3] = [3, 1, 0];
-        const TORSION_FLAP_LAG: [usize; 3] = [2, 0, 1];
         let mut energies = [Complex::new(0.0, 0.0); 4];
         for (k, axes) in axes.iter().enumerate() {
-            let parts = [
-                (SIX * k, &axes.blade, AXIAL_LAG_FLAP),
-                (SIX * k + 3, &axes.section, TORSION_FLAP_LAG),
-            ];
-            for (first, frame, kinds) in parts {
+            for (first, frame, kinds) in halves(k, axes) {
                 let at = |values: &[Complex<f64>]| {
                     Vector3::new(values[first], values[first + 1], values[first + 2])
                 };
@@ -119,6 +121,36 @@ impl ModeMotion {
             }
         }
         energies
+    }
+
+    /// `W p` with p the momentum and W the projection on flap, lag, torsion and axial motion, each
+    /// times its weight, and times the weight of each node.
+    pub(super) fn weighted_momentum(
+        &self,
+        axes: &[NamingAxes],
+        kinds: [f64; 4],
+        nodes: &[f64],
+    ) -> Vec<Complex<f64>> {
+        let mut result = vec![Complex::new(0.0, 0.0); self.momentum.len()];
+        for (k, (axes, weight)) in axes.iter().zip(nodes).enumerate() {
+            for (first, frame, order) in halves(k, axes) {
+                let momentum = &self.momentum[first..][..3];
+                for (axis, kind) in order.into_iter().enumerate() {
+                    let direction = frame.column(axis);
+                    let along = direction.iter().zip(momentum).map(|(d, p)| p * *d);
+                    let along = along.sum::<Complex<f64>>() * kinds[kind] * *weight;
+                    let entries = result[first..][..3].iter_mut().zip(&direction);
+                    entries.for_each(|(entry, d)| *entry += along * *d);
+                }
+            }
+        }
+        result
+    }
+
+    /// `q^H x` for six entries a node.
+    pub(super) fn along(&self, x: &[Complex<f64>]) -> Complex<f64> {
+        let terms = self.motion.iter().zip(x);
+        terms.map(|(q, x)| q.conj() * x).sum()
     }
 
     /// The sum of `modes`, each times its factor.
@@ -155,6 +187,17 @@ impl ModeMotion {
         values.for_each(|z| *z *= factor);
         self
     }
+}
+
+/// Displacement and rotation of node `k`: the first entry, the axes, and the kind of motion along or
+/// about each.
+fn halves(k: usize, axes: &NamingAxes) -> [(usize, &Matrix3<f64>, [usize; 3]); 2] {
+    const AXIAL_LAG_FLAP: [usize; 3] = [3, 1, 0];
+    const TORSION_FLAP_LAG: [usize; 3] = [2, 0, 1];
+    [
+        (SIX * k, &axes.blade, AXIAL_LAG_FLAP),
+        (SIX * k + 3, &axes.section, TORSION_FLAP_LAG),
+    ]
 }
 
 /// The mass matrix, six rows and columns a node.

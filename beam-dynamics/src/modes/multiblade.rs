@@ -70,41 +70,31 @@ impl Rotor {
         -((count - 1) / 2)..=count / 2
     }
 
-    /// `Q_h^H P_h N` for each harmonic, from the motion of one mode and the momentum of
-    /// another, in the order of [`Self::harmonics`].
-    pub(super) fn energies(
-        &self,
-        [one, other]: [&ModeMotion; 2],
-        axes: &[NamingAxes],
-    ) -> Vec<Complex<f64>> {
-        let count = self.blades.len() as f64;
-        let product = |h: i32| {
-            let q = self.part(h, &one.motion, axes);
-            let p = self.part(h, &other.momentum, axes);
-            let terms = q.iter().zip(&p).map(|(q, p)| q.conj() * p);
-            terms.sum::<Complex<f64>>() / count
-        };
-        self.harmonics().map(product).collect()
+    /// The parts of a mode by harmonics.
+    pub(super) fn parts(&self, mode: &ModeMotion, axes: &[NamingAxes]) -> Parts {
+        Parts {
+            motion: self.parts_of(&mode.motion, axes),
+            momentum: self.parts_of(&mode.momentum, axes),
+        }
     }
 
-    /// `N Q_h`: six entries a node of a blade, in the axes of the blade.
-    fn part(&self, h: i32, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Complex<f64>> {
-        let length = self.blades.first().map_or(0, |blade| blade.nodes.len());
-        let mut sum = vec![Complex::new(0.0, 0.0); SIX * length];
-        for blade in &self.blades {
-            let phase = Complex::from_polar(1.0, f64::from(h) * blade.azimuth);
-            for (index, &node) in blade.nodes.iter().enumerate() {
-                let into = axes[node].blade.transpose().map(Complex::from);
-                for half in [0, 3] {
-                    let vector = Vector3::from_column_slice(&values[SIX * node + half..][..3]);
-                    let turned = into * vector;
-                    for axis in 0..3 {
-                        sum[SIX * index + half + axis] += phase * turned[axis];
-                    }
-                }
+    /// `N Q_h` for each harmonic: six entries a node of a blade, in the axes of the blade.
+    fn parts_of(&self, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Vec<Complex<f64>>> {
+        let turned: Vec<_> = self
+            .blades
+            .iter()
+            .map(|b| in_blade(b, values, axes))
+            .collect();
+        let part = |h: i32| {
+            let mut sum = vec![Complex::new(0.0, 0.0); turned.first().map_or(0, Vec::len)];
+            for (blade, turned) in self.blades.iter().zip(&turned) {
+                let phase = Complex::from_polar(1.0, f64::from(h) * blade.azimuth);
+                let entries = sum.iter_mut().zip(turned);
+                entries.for_each(|(sum, value)| *sum += phase * value);
             }
-        }
-        sum
+            sum
+        };
+        self.harmonics().map(part).collect()
     }
 
     /// The nodes of all blades.
@@ -117,7 +107,8 @@ impl Rotor {
     /// The part that holds most of the energy of the blades, with its share of that: a
     /// hub that moves most of all goes with the blades. `None` where the blades rest.
     pub fn whirl(&self, motion: &ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
-        let energies = self.energies([motion, motion], axes);
+        let parts = self.parts(motion, axes);
+        let energies = parts.energies(&parts);
         let total: f64 = energies.iter().map(|energy| energy.re).sum();
         if total <= STILL * motion.product(motion).re {
             return None;
@@ -132,4 +123,40 @@ impl Rotor {
             share: energy / total,
         })
     }
+}
+
+/// The parts of a mode by harmonics, in the order of [`Rotor::harmonics`]: `N Q_h` and `N P_h`.
+#[derive(Debug, Clone)]
+pub(super) struct Parts {
+    motion: Vec<Vec<Complex<f64>>>,
+    momentum: Vec<Vec<Complex<f64>>>,
+}
+
+impl Parts {
+    /// `Q_h^H P_h N` for each harmonic, from the motion of this mode and the momentum of another.
+    pub fn energies(&self, other: &Self) -> Vec<Complex<f64>> {
+        let count = self.motion.len() as f64;
+        let pairs = self.motion.iter().zip(&other.momentum);
+        let product = |(q, p): (&Vec<Complex<f64>>, &Vec<Complex<f64>>)| {
+            let terms = q.iter().zip(p).map(|(q, p)| q.conj() * p);
+            terms.sum::<Complex<f64>>() / count
+        };
+        pairs.map(product).collect()
+    }
+}
+
+/// The entries of the nodes of a blade in its axes, six a node.
+fn in_blade(blade: &BladeNodes, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Complex<f64>> {
+    let mut turned = Vec::with_capacity(SIX * blade.nodes.len());
+    for &node in &blade.nodes {
+        for half in [0, 3] {
+            let vector = Vector3::from_column_slice(&values[SIX * node + half..][..3]);
+            for axis in 0..3 {
+                let direction = axes[node].blade.column(axis);
+                let terms = direction.iter().zip(&vector).map(|(d, v)| v * *d);
+                turned.push(terms.sum());
+            }
+        }
+    }
+    turned
 }

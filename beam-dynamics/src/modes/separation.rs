@@ -9,8 +9,6 @@
 //! the kinds then count on the blades alone: flap and lag of a hub are directions of the
 //! model, which would part its motions into those along x and y.
 
-use std::collections::HashSet;
-
 use nalgebra::{Complex, DMatrix, SVD};
 
 use super::sorted::COPIES;
@@ -94,26 +92,31 @@ fn pure_combinations(
     rotor: Option<&Rotor>,
 ) -> Option<Vec<ModeMotion>> {
     let n = modes.len();
-    let of_blades: Option<HashSet<usize>> = rotor.map(|rotor| rotor.nodes().collect());
-    let weight = |node: usize| match &of_blades {
-        Some(nodes) if !nodes.contains(&node) => BESIDE_BLADES,
-        _ => 1.0,
-    };
+    let mut nodes = vec![if rotor.is_some() { BESIDE_BLADES } else { 1.0 }; axes.len()];
+    let of_blades = rotor.iter().flat_map(|rotor| rotor.nodes());
+    of_blades.for_each(|node| nodes[node] = 1.0);
+    let momenta = modes
+        .iter()
+        .map(|m| m.weighted_momentum(axes, [1.0, 2.0, 3.0, 4.0], &nodes));
+    let momenta: Vec<_> = momenta.collect();
+    let parts = rotor.map(|rotor| {
+        modes
+            .iter()
+            .map(|m| rotor.parts(m, axes))
+            .collect::<Vec<_>>()
+    });
     let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
     let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
-        let energies = modes[i].weighted_energies(&modes[j], axes, weight);
-        let kinds = energies
-            .iter()
-            .zip([1.0, 2.0, 3.0, 4.0])
-            .map(|(e, w)| e * w);
-        let together = rotor.map_or_else(Vec::new, |r| r.energies([&modes[i], &modes[j]], axes));
+        let kinds = modes[i].along(&momenta[j]);
+        let together = parts.as_ref().map(|parts| parts[i].energies(&parts[j]));
+        let together = together.unwrap_or_default();
         // Weights below one, apart by as much as the number of blades allows.
         let step = 0.7 / together.len().max(1) as f64;
         let ways = together
             .iter()
             .zip(1..)
             .map(|(e, k)| e * step * f64::from(k));
-        kinds.chain(ways).sum()
+        kinds + ways.sum::<Complex<f64>>()
     }));
     // W c = w L L^H c with c = L^-H d: (L^-1 W L^-H) d = w d.
     let inverse = gram.cholesky()?.l().try_inverse()?;

@@ -1,12 +1,11 @@
 //! Measured frequencies compared with computed ones.
 
-use super::text::{RPM, aligned};
+use super::mode_units::Columns;
+use super::rows::{csv_text, number};
+use super::text::aligned;
+use crate::case::FrequencyUnit;
 use crate::input::short_number;
 use crate::result::{Comparison, FrequencyTable, Measured, ModeKind};
-
-const DIGITS: usize = 10;
-const HEADING: &str =
-    "rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]";
 
 /// Computed minus measured frequency [Hz].
 fn difference(row: &Comparison) -> f64 {
@@ -24,31 +23,40 @@ fn order(row: &Comparison) -> String {
         .map_or_else(String::new, |order| order.to_string())
 }
 
-/// Rows with rotor speed, order and name of the mode, measured and computed frequency and their
-/// difference, which is computed minus measured, in per cent of measured.
-pub fn comparison_csv(rows: &[Comparison]) -> String {
-    let mut text = format!("{HEADING}\n");
-    for row in rows {
-        let cells = [
-            short_number(row.measured.speed * RPM, DIGITS),
-            order(row),
-            row.name.clone(),
-            short_number(row.measured.frequency, DIGITS),
-            short_number(row.computed, DIGITS),
-            short_number(difference(row), 6),
-            short_number(per_cent(row), 6),
-        ];
-        text.push_str(&cells.join(","));
-        text.push('\n');
-    }
-    text
+/// The rows of `measured` that `table` has: rotor speed, order and name of the mode, measured and
+/// computed frequency, also in the chosen unit, and their difference, which is computed minus
+/// measured, in per cent of measured.
+pub fn comparison_csv(measured: &Measured, table: &FrequencyTable) -> String {
+    let columns = Columns(table.style.unit);
+    let short = |value: f64| short_number(value, 6);
+    let row = |row: Comparison| {
+        let mut cells = columns.speed(row.measured.speed, number);
+        cells.extend([order(&row), row.name.clone()]);
+        cells.extend(columns.values(row.measured.frequency, number));
+        cells.extend(columns.values(row.computed, number));
+        cells.extend(columns.values(difference(&row), short));
+        cells.push(short(per_cent(&row)));
+        cells
+    };
+    let [measured_heading, computed, difference] =
+        ["measured", "computed", "difference"].map(|name| columns.heading(name));
+    let heading = format!(
+        "{},order,name,{measured_heading},{computed},{difference},difference [%]",
+        columns.speed_heading()
+    );
+    csv_text(&heading, measured.compare(table).into_iter().map(row))
 }
 
 /// The comparison of `measured` with `table` as text for a report.
 pub fn comparison_text(measured: &Measured, table: &FrequencyTable) -> String {
     let rows = measured.compare(table);
     let mut text = "Comparison with measurements\n\n".to_owned();
+    let unit = table.style.unit;
+    let column = unit.of_column();
     let cells = |cells: [&str; 7]| cells.map(str::to_owned).to_vec();
+    let [speeds, frequencies] = [unit.speed_word(), column.word()].map(|word| format!("[{word}]"));
+    // None of these units depends on the speed.
+    let value = |frequency: f64| column.value(frequency, 0.0).unwrap_or(frequency);
     let mut lines = vec![
         cells([
             "speed",
@@ -59,16 +67,24 @@ pub fn comparison_text(measured: &Measured, table: &FrequencyTable) -> String {
             "difference",
             "",
         ]),
-        cells(["[rpm]", "", "", "[Hz]", "[Hz]", "[Hz]", "[%]"]),
+        cells([
+            &speeds,
+            "",
+            "",
+            &frequencies,
+            &frequencies,
+            &frequencies,
+            "[%]",
+        ]),
     ];
     for row in &rows {
         lines.push(vec![
-            short_number(row.measured.speed * RPM, 6),
+            short_number(unit.speed(row.measured.speed), 6),
             order(row),
             row.name.clone(),
-            format!("{:.3}", row.measured.frequency),
-            format!("{:.3}", row.computed),
-            format!("{:+.3}", difference(row)),
+            format!("{:.3}", value(row.measured.frequency)),
+            format!("{:.3}", value(row.computed)),
+            format!("{:+.3}", value(difference(row))),
             format!("{:+.1}", per_cent(row)),
         ]);
     }
@@ -76,24 +92,25 @@ pub fn comparison_text(measured: &Measured, table: &FrequencyTable) -> String {
         text.push_str(&aligned(&lines));
         text.push('\n');
     }
-    text.push_str(&conclusion(&rows));
+    text.push_str(&conclusion(&rows, unit));
     text.push_str(&left_out(measured, rows.len()));
     text
 }
 
 /// Mean and largest difference.
-fn conclusion(rows: &[Comparison]) -> String {
+fn conclusion(rows: &[Comparison], unit: FrequencyUnit) -> String {
     let size = |row: &Comparison| per_cent(row).abs();
     let Some(worst) = rows.iter().max_by(|a, b| size(a).total_cmp(&size(b))) else {
         return String::new();
     };
     let mean = rows.iter().map(size).sum::<f64>() / rows.len() as f64;
-    let speed = short_number(worst.measured.speed * RPM, 6);
+    let speed = short_number(unit.speed(worst.measured.speed), 6);
     format!(
         "difference: computed minus measured; {mean:.1} % of measured in the mean, at most \
-         {:.1} % ({} at {speed} rpm)\n",
+         {:.1} % ({} at {speed} {})\n",
         size(worst),
-        worst.name
+        worst.name,
+        unit.speed_word()
     )
 }
 
@@ -140,13 +157,24 @@ mod tests {
 
     #[test]
     fn rows_hold_both_numbers_and_their_difference() {
-        let rows = samples::measured().compare(&samples::small());
+        let mut table = samples::small();
         let expected = "\
 rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]
 0,1,flap 1,1.5,1.4,-0.1,-6.66667
 600,2,torsion 1,99,99.5,0.5,0.505051
 ";
-        assert_eq!(comparison_csv(&rows), expected);
+        assert_eq!(comparison_csv(&samples::measured(), &table), expected);
+        table.style.unit = FrequencyUnit::Rpm;
+        let csv = comparison_csv(&samples::measured(), &table);
+        assert!(
+            csv.contains("\n0,1,flap 1,1.5,90,1.4,84,-0.1,-6,-6.66667\n"),
+            "{csv}"
+        );
+        let text = comparison_text(&samples::measured(), &table);
+        assert!(
+            text.contains("\n0          1     flap 1    90.000    84.000      -6.000  -6.7\n"),
+            "{text}"
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH};
 
-use super::text::{DAMPED, RPM};
+use super::text::DAMPED;
 use crate::case::{FrequencyUnit, Words};
 use crate::result::{CriticalSpeed, FixedTable, FrequencyTable, Measured, ModeKind};
 
@@ -25,8 +25,6 @@ const SIZE: (u32, u32) = (WIDTH, 1250);
 const DAMPING: u32 = 480;
 /// Position of the legend \[figure pixels\].
 const LEGEND: f64 = 70.0;
-/// Title of the horizontal axis.
-const SPEED: &str = "rotor speed [rpm]";
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
 /// Critical speeds of a rotor above which only the ones at the multiples b and 2b are marked.
@@ -38,7 +36,7 @@ const COLORS: usize = CATEGORIES.len() - 1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FanPlot {
     title: String,
-    /// Rotor speeds \[rpm\].
+    /// Rotor speeds in the unit that belongs to that of the frequencies.
     speeds: Vec<f64>,
     /// Unit of all frequencies.
     unit: FrequencyUnit,
@@ -48,9 +46,9 @@ pub struct FanPlot {
     /// Multiples of the rotor speed that are drawn; `None`: the first ten, and some above.
     multiples: Option<Vec<u32>>,
     curves: Vec<Curve>,
-    /// Measured speeds \[rpm\] and frequencies.
+    /// Measured speeds and frequencies.
     measured: Vec<[f64; 2]>,
-    /// Critical speeds \[rpm\] and frequencies.
+    /// Critical speeds and frequencies.
     critical: Vec<[f64; 2]>,
     /// Patterns of lines with their meaning; none where they only distinguish modes.
     patterns: Vec<(usize, String)>,
@@ -64,7 +62,7 @@ struct Curve {
     kinds: Vec<Option<ModeKind>>,
     /// Frequencies in the unit of the plot.
     frequencies: Vec<Option<f64>>,
-    /// Speeds \[rpm\] at which the line is reflected at zero.
+    /// Speeds at which the line is reflected at zero.
     zeros: Vec<f64>,
     color: Color,
     /// Damping ratios \[%\].
@@ -87,9 +85,10 @@ impl FanPlot {
             .iter()
             .filter_map(|point| {
                 let value = plot.unit.value(point.frequency, point.speed)?;
-                Some([point.speed * RPM, value])
+                Some([plot.unit.speed(point.speed), value])
             })
             .collect();
+        plot.mark(&table.critical_of_blade(&table.harmonics()));
         plot.cut();
         (plot.speeds.len() > 1 && !plot.curves.is_empty()).then_some(plot)
     }
@@ -101,14 +100,18 @@ impl FanPlot {
         plot.multiples = Some(table.harmonics());
         plot.patterns = fixed::patterns(fixed, table);
         plot.curves = fixed::curves(fixed, table);
-        let position = |critical: &CriticalSpeed| {
-            let value = plot.unit.value(critical.frequency, critical.speed)?;
-            Some([critical.speed * RPM, value])
-        };
-        let marked = marked(table, &fixed.critical);
-        plot.critical = marked.into_iter().filter_map(position).collect();
+        plot.mark(&marked(table, &fixed.critical));
         plot.cut();
         plot
+    }
+
+    /// Marks critical speeds.
+    fn mark(&mut self, critical: &[CriticalSpeed]) {
+        let position = |critical: &CriticalSpeed| {
+            let value = self.unit.value(critical.frequency, critical.speed)?;
+            Some([self.unit.speed(critical.speed), value])
+        };
+        self.critical = critical.iter().filter_map(position).collect();
     }
 
     /// A plot of `table` without curves.
@@ -117,7 +120,7 @@ impl FanPlot {
         let chosen = !style.harmonics.is_empty() || table.blades() > 1;
         Self {
             title: table.name.clone(),
-            speeds: table.speeds.iter().map(|speed| speed * RPM).collect(),
+            speeds: table.speeds.iter().map(|s| style.unit.speed(*s)).collect(),
             unit: style.unit,
             axis,
             words: style.words,
@@ -147,16 +150,22 @@ impl FanPlot {
 
 /// The critical speeds that are marked: all, or of many at multiples that the file did not choose the
 /// speeds at which loads of b equal blades excite a mode, and those at which a whirl comes to rest.
-fn marked<'a>(table: &FrequencyTable, all: &'a [CriticalSpeed]) -> Vec<&'a CriticalSpeed> {
+fn marked(table: &FrequencyTable, all: &[CriticalSpeed]) -> Vec<CriticalSpeed> {
     let blades = u32::try_from(table.blades()).unwrap_or(0);
     let is_chosen = blades < 2 || !table.style.harmonics.is_empty();
     let orders = [0, blades, 2 * blades];
     all.iter()
         .filter(|one| is_chosen || all.len() <= MOST_MARKS || orders.contains(&one.order))
+        .cloned()
         .collect()
 }
 
 impl FanPlot {
+    /// Title of the horizontal axis.
+    fn speed_title(&self) -> String {
+        format!("rotor speed [{}]", self.unit.speed_word())
+    }
+
     /// Title of the vertical axis.
     fn axis_title(&self) -> String {
         format!("{} [{}]", self.axis, self.unit.word())
@@ -236,7 +245,8 @@ impl Figure for FanPlot {
         if self.is_damped() {
             damping::draw(drawing, self, &axes);
         }
-        let below = (!self.is_damped()).then_some(SPEED);
+        let title = self.speed_title();
+        let below = (!self.is_damped()).then_some(title.as_str());
         axes.draw(drawing, below, &self.axis_title());
         drawing.title(&self.title, [axes.left, 40.0]);
         let (mut top, space) = (LEGEND, f64::from(WIDTH) - axes.left);

@@ -2,15 +2,18 @@
 
 use shared_geom::files::{OutputProblem, make_folder};
 
+use super::critical_table::critical_text;
+use super::decaying::decaying_text;
 use super::folder::{ResultLocation, Results, Written};
 use super::{
-    FanPlot, campbell_csv, comparison_csv, comparison_text, convention, critical_csv, fixed_text,
-    frequency_csv, frequency_text, mode_csv,
+    FanPlot, campbell_csv, comparison_csv, comparison_text, convention, critical_csv, decaying_csv,
+    fixed_text, frequency_csv, frequency_text, mode_csv,
 };
-use crate::result::{FixedTable, FrequencyTable, Measured};
+use crate::result::{CriticalSpeed, FixedTable, FrequencyTable, Measured};
 
 const TABLE: &str = "frequencies.csv";
 const MODES: &str = "modes.csv";
+const DECAYING: &str = "decaying.csv";
 const TEXT: &str = "frequencies.txt";
 const COMPARISON: &str = "comparison.csv";
 const FAN: [&str; 2] = ["fan.png", "fan.svg"];
@@ -23,8 +26,13 @@ fn fixed(table: &FrequencyTable) -> Option<FixedTable> {
     FixedTable::new(table, &table.harmonics())
 }
 
+/// The critical speeds of a single blade.
+fn critical_of_blade(table: &FrequencyTable) -> Vec<CriticalSpeed> {
+    table.critical_of_blade(&table.harmonics())
+}
+
 /// The text of a result: the frequency table, that in the fixed system with the critical speeds for
-/// rotors and shafts, the comparison with the measurements if there are
+/// rotors and shafts, the critical speeds of a single blade, the comparison with the measurements if there are
 /// any, and the conventions.
 pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
     let comparison = if measured.points.is_empty() {
@@ -32,18 +40,24 @@ pub fn result_text(table: &FrequencyTable, measured: &Measured) -> String {
     } else {
         comparison_text(measured, table) + "\n"
     };
-    let seen = fixed(table).map_or_else(String::new, |fixed| fixed_text(table, &fixed));
+    let seen = match fixed(table) {
+        Some(fixed) => fixed_text(table, &fixed),
+        None => critical_text(table, "the turning axes", &critical_of_blade(table)),
+    };
     format!(
-        "{}\n{seen}{comparison}{}",
+        "{}\n{seen}{}{comparison}{}",
         frequency_text(table),
+        decaying_text(table),
         convention(table)
     )
 }
 
-/// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with measurements
+/// Writes `NAME.frequencies.csv`, `NAME.modes.csv`, `NAME.frequencies.txt`, with motions that decay
+/// without oscillation `NAME.decaying.csv`, with measurements
 /// `NAME.comparison.csv`, and for two speeds or more, if figures are drawn, `NAME.fan.png` and
 /// `NAME.fan.svg` to `location`; of rotors and shafts also `NAME.campbell.csv`,
-/// `NAME.critical_speeds.csv`, `NAME.campbell.png` and `NAME.campbell.svg`. Files of an earlier run that this run does not write are removed.
+/// `NAME.critical_speeds.csv`, `NAME.campbell.png` and `NAME.campbell.svg`, of a single blade
+/// `NAME.critical_speeds.csv`. Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be written.
@@ -54,14 +68,17 @@ pub fn write(
 ) -> Result<Written, OutputProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
-    let tables = [TABLE, MODES, TEXT, COMPARISON, FIXED, CRITICAL];
+    let tables = [TABLE, MODES, DECAYING, TEXT, COMPARISON, FIXED, CRITICAL];
     results.remove(tables.into_iter().chain(FAN).chain(CAMPBELL));
 
     results.text(TABLE, &frequency_csv(table))?;
     results.text(MODES, &mode_csv(table))?;
     results.text(TEXT, &result_text(table, measured))?;
+    if table.decaying.iter().any(|motions| !motions.is_empty()) {
+        results.text(DECAYING, &decaying_csv(table))?;
+    }
     if !measured.points.is_empty() {
-        results.text(COMPARISON, &comparison_csv(&measured.compare(table)))?;
+        results.text(COMPARISON, &comparison_csv(measured, table))?;
     }
     let is_drawn = results.figures(FAN, || FanPlot::new(table, measured))?;
     if results.draws() && !is_drawn {
@@ -69,9 +86,11 @@ pub fn write(
     }
     if let Some(fixed) = fixed(table) {
         results.text(FIXED, &campbell_csv(table, &fixed))?;
-        results.text(CRITICAL, &critical_csv(&fixed))?;
+        results.text(CRITICAL, &critical_csv(table, &fixed.critical))?;
         let plot = || Some(FanPlot::campbell(table, &fixed));
         results.figures(CAMPBELL, plot)?;
+    } else if table.is_single_blade && table.speeds.len() > 1 {
+        results.text(CRITICAL, &critical_csv(table, &critical_of_blade(table)))?;
     }
     Ok(results.written)
 }

@@ -114,8 +114,10 @@ pub(super) fn small() -> FrequencyTable {
             ),
         ],
         equilibria: vec![report(1, 1.0), report(4, 2e-13)],
+        decaying: Vec::new(),
         remarks: vec!["made up".to_owned()],
         style: Default::default(),
+        is_single_blade: false,
     }
 }
 
@@ -144,8 +146,10 @@ pub(super) fn waves() -> FrequencyTable {
         branches: vec![wave("lag 1 progressive", 1), wave("lag 1 regressive", -1)],
         equilibria: vec![report(3, 1e-12); speeds.len()],
         speeds,
+        decaying: Vec::new(),
         remarks: Vec::new(),
         style: Default::default(),
+        is_single_blade: false,
     }
 }
 
@@ -207,8 +211,10 @@ pub(super) fn swept_tip(count: usize) -> FrequencyTable {
         branches: branches.collect(),
         equilibria: vec![report(3, 1e-12); count],
         speeds,
+        decaying: Vec::new(),
         remarks: Vec::new(),
         style: Default::default(),
+        is_single_blade: false,
     }
 }
 
@@ -245,8 +251,10 @@ pub(super) fn crowded() -> FrequencyTable {
         branches: branches.collect(),
         equilibria: vec![report(3, 1e-12); speeds.len()],
         speeds,
+        decaying: Vec::new(),
         remarks: Vec::new(),
         style: Default::default(),
+        is_single_blade: false,
     }
 }
 

@@ -1,12 +1,11 @@
 //! Modes that have another kind than their name states, after veering.
 
-use super::text::RPM;
 use crate::input::short_number;
 use crate::result::{FrequencyTable, ModeKind};
 
 /// A sentence for each mode that changes its kind: the kinds, and the speeds at which it has them.
 pub(super) fn changes(table: &FrequencyTable) -> Vec<String> {
-    let words = table.style.words;
+    let (words, unit) = (table.style.words, table.style.unit);
     let mut found = Vec::new();
     for branch in &table.branches {
         let mut runs: Vec<(ModeKind, [usize; 2])> = Vec::new();
@@ -21,11 +20,11 @@ pub(super) fn changes(table: &FrequencyTable) -> Vec<String> {
         let others = runs.into_iter().filter(|run| run.0 != branch.kind);
         let runs: Vec<_> = others
             .map(|(kind, ends)| {
-                let [first, last] = ends.map(|k| short_number(table.speeds[k] * RPM, 6));
+                let [first, last] = ends.map(|k| short_number(unit.speed(table.speeds[k]), 6));
                 let speeds = if first == last {
-                    format!("at {first} rpm")
+                    format!("at {first} {}", unit.speed_word())
                 } else {
-                    format!("from {first} to {last} rpm")
+                    format!("from {first} to {last} {}", unit.speed_word())
                 };
                 format!("{} {speeds}", kind.word_in(words))
             })

@@ -1,32 +1,32 @@
 //! The frequency table as CSV: a row for each speed and mode.
 
-use super::text::{RPM, cleared, per_rev, share};
+use super::mode_units::Columns;
+use super::rows::number;
+use super::text::{cleared, share};
 use crate::input::short_number;
 use crate::result::{FrequencyTable, ModeKind};
 
-/// Digits of frequencies: more than the accuracy of any model, enough to compare two runs.
-const DIGITS: usize = 10;
-
-/// Rows with the rotor speed, number and name of the mode, frequency, also per revolution, damping
-/// ratio, four shares and the assurance, below a heading `name [unit]`.
+/// Rows with the rotor speed, number and name of the mode, frequency, also per revolution and in the
+/// chosen unit, damping ratio, four shares and the assurance, below a heading `name [unit]`.
 ///
 /// Modes are numbered at each speed from one, ascending in frequency. The four shares are shares of
 /// the kinetic energy, and the assurance is relative to the same mode at the previous speed.
 /// Missing values are empty.
 pub fn frequency_csv(table: &FrequencyTable) -> String {
     let lag = ModeKind::Lag.word_in(table.style.words);
+    let columns = Columns(table.style.unit);
     let mut text = format!(
-        "rotor speed [rpm],mode,name,frequency [Hz],frequency [1/rev],damping ratio [-],flap [-],\
-         {lag} [-],torsion [-],axial [-],assurance [-]\n"
+        "{},mode,name,{},damping ratio [-],flap [-],{lag} [-],torsion [-],axial [-],\
+         assurance [-]\n",
+        columns.speed_heading(),
+        columns.frequency_heading()
     );
-    let number = |value: f64| short_number(value, DIGITS);
-    let optional = |value: Option<f64>| value.map_or_else(String::new, number);
     for (index, &speed) in table.speeds.iter().enumerate() {
         for (entry, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
-            let mut cells = vec![number(speed * RPM), (entry + 1).to_string()];
+            let mut cells = columns.speed(speed, number);
+            cells.push((entry + 1).to_string());
             cells.push(branch.name.clone());
-            cells.push(number(point.frequency));
-            cells.push(optional(per_rev(point.frequency, speed)));
+            cells.extend(columns.frequency(point.frequency, speed));
             cells.push(short_number(cleared(point.damping_ratio), 6));
             cells.extend(point.shares.map(share));
             cells.push(

@@ -1,74 +1,63 @@
 //! Modes in the fixed system and critical speeds: text and CSV.
 
+use super::critical_table::critical_text;
+use super::mode_units::Columns;
 use super::rows::{csv_text, number};
-use super::text::{RPM, aligned, cleared};
+use super::text::{aligned, cleared};
 use crate::input::short_number;
-use crate::result::{CriticalSpeed, Direction, FixedTable, FrequencyTable};
+use crate::result::{Direction, FixedPoint, FixedTable, FrequencyTable};
 
 /// Speeds side by side: to fill the width of a page.
 const SPEEDS_A_BLOCK: usize = 6;
-/// Critical speeds that are printed; the table for programs has all.
-const MOST: usize = 40;
-const CAMPBELL: &str = "rotor speed [rpm],name,kind,frequency [Hz],frequency [1/rev],\
-    damping ratio [-],direction";
-const CRITICAL: &str = "rotor speed [rpm],harmonic [-],frequency [Hz],name";
 
 /// One row per speed and mode of `fixed`, the modes of `table`: frequency in the fixed system, also
 /// per revolution, damping ratio relative to it, and direction around the rotor, empty for
 /// motion without one.
 pub fn campbell_csv(table: &FrequencyTable, fixed: &FixedTable) -> String {
+    let columns = Columns(table.style.unit);
     let mut rows = Vec::new();
     for (k, &speed) in table.speeds.iter().enumerate() {
         for line in &fixed.lines {
             let Some(point) = line.points.get(k).copied().flatten() else {
                 continue;
             };
-            let per_rev = super::text::per_rev(point.frequency(), speed);
-            rows.push(vec![
-                number(speed * RPM),
-                line.name.clone(),
-                point.kind.word_in(table.style.words).to_owned(),
-                number(point.frequency()),
-                per_rev.map_or_else(String::new, number),
-                short_number(cleared(point.damping_ratio), 6),
-                point.direction.map_or("", Direction::word).to_owned(),
-            ]);
+            let mut row = columns.speed(speed, number);
+            row.push(line.name.clone());
+            row.push(point.kind.word_in(table.style.words).to_owned());
+            row.extend(columns.frequency(point.frequency(), speed));
+            row.push(short_number(cleared(point.damping_ratio), 6));
+            row.push(point.direction.map_or("", Direction::word).to_owned());
+            rows.push(row);
         }
     }
-    csv_text(CAMPBELL, rows)
-}
-
-/// One row per critical speed, ascending; the harmonic 0 is a frequency that passes through zero.
-pub fn critical_csv(fixed: &FixedTable) -> String {
-    let row = |critical: &CriticalSpeed| {
-        vec![
-            short_number(critical.speed * RPM, 6),
-            critical.order.to_string(),
-            short_number(critical.frequency, 6),
-            critical.name.clone(),
-        ]
-    };
-    csv_text(CRITICAL, fixed.critical.iter().map(row))
+    let heading = format!(
+        "{},name,kind,{},damping ratio [-],direction",
+        columns.speed_heading(),
+        columns.frequency_heading()
+    );
+    csv_text(&heading, rows)
 }
 
 /// Frequencies in the fixed system and critical speeds as text for a report.
 pub fn fixed_text(table: &FrequencyTable, fixed: &FixedTable) -> String {
-    let mut text = "Frequencies in the fixed system [Hz]\n\n".to_owned();
+    let unit = table.style.unit.word();
+    let mut text = format!("Frequencies in the fixed system [{unit}]\n\n");
     let speeds: Vec<_> = (0..table.speeds.len()).collect();
     let blocks = speeds.len().div_ceil(SPEEDS_A_BLOCK).max(1);
     for block in speeds.chunks(speeds.len().div_ceil(blocks).max(1)) {
         text.push_str(&aligned(&rows(table, fixed, block)));
         text.push('\n');
     }
-    text.push_str(&critical_text(fixed));
+    text.push_str(&critical_text(table, "the fixed system", &fixed.critical));
     text
 }
 
 /// A heading of speeds and a row for each mode.
 fn rows(table: &FrequencyTable, fixed: &FixedTable, block: &[usize]) -> Vec<Vec<String>> {
-    let rpm = |speed: &usize| short_number(table.speeds[*speed] * RPM, 6);
-    let mut heading = vec!["rotor speed [rpm]".to_owned()];
-    heading.extend(block.iter().map(rpm));
+    let unit = table.style.unit;
+    let shown = |speed: &usize| short_number(unit.speed(table.speeds[*speed]), 6);
+    let mut heading = vec![format!("rotor speed [{}]", unit.speed_word())];
+    heading.extend(block.iter().map(shown));
     let mut rows = vec![heading];
     for line in &fixed.lines {
         let frequency = |speed: &usize| line.points.get(*speed).copied().flatten();
@@ -76,8 +65,9 @@ fn rows(table: &FrequencyTable, fixed: &FixedTable, block: &[usize]) -> Vec<Vec<
             continue;
         }
         let cell = |speed: &usize| {
-            let point = frequency(speed);
-            point.map_or_else(|| "-".to_owned(), |p| format!("{:.3}", p.frequency()))
+            let value = |point: FixedPoint| unit.value(point.frequency(), table.speeds[*speed]);
+            let value = frequency(speed).and_then(value);
+            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
         };
         let mut row = vec![line.name.clone()];
         row.extend(block.iter().map(cell));
@@ -86,43 +76,11 @@ fn rows(table: &FrequencyTable, fixed: &FixedTable, block: &[usize]) -> Vec<Vec<
     rows
 }
 
-/// The critical speeds as text; empty without any.
-fn critical_text(fixed: &FixedTable) -> String {
-    if fixed.critical.is_empty() {
-        return String::new();
-    }
-    let heading = ["rotor speed [rpm]", "Hz", "n", "mode"].map(str::to_owned);
-    let row = |critical: &CriticalSpeed| {
-        let order = match critical.order {
-            0 => "whirl reverses".to_owned(),
-            order => format!("{order}P"),
-        };
-        vec![
-            format!("{:.4}", critical.speed * RPM),
-            format!("{:.3}", critical.frequency),
-            order,
-            critical.name.clone(),
-        ]
-    };
-    let shown = fixed.critical.iter().take(MOST).map(row);
-    let lines: Vec<_> = std::iter::once(heading.to_vec()).chain(shown).collect();
-    let mut text = format!(
-        "Critical speeds: frequency in the fixed system = n times the rotor speed\n\n{}\n",
-        aligned(&lines)
-    );
-    let more = fixed.critical.len().saturating_sub(MOST);
-    if more > 0 {
-        text.push_str(&format!(
-            "  and {more} more in the table of critical speeds\n\n"
-        ));
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::samples;
+    use crate::case::FrequencyUnit;
+    use crate::output::{critical_csv, samples};
 
     // The lag waves of 2 Hz at 0, 60 and 180 rpm: 2 + n and 2 - n Hz.
     #[test]
@@ -161,6 +119,39 @@ rotor speed [rpm],harmonic [-],frequency [Hz],name
 60,1,1,lag 1 regressive
 120,0,0,lag 1 regressive
 ";
-        assert_eq!(critical_csv(&fixed), expected);
+        assert_eq!(critical_csv(&table, &fixed.critical), expected);
+        // 60 rpm are 2 pi rad/s, 2 Hz are 120 rpm.
+        let mut table = table;
+        table.style.unit = FrequencyUnit::RadiansPerSecond;
+        let text = fixed_text(&table, &fixed);
+        let expected = "\
+Frequencies in the fixed system [rad/s]
+
+rotor speed [rad/s]       0  6.28319  18.8496
+lag 1 progressive    12.566   18.850   31.416
+lag 1 regressive     12.566    6.283    6.283
+
+Critical speeds: frequency in the fixed system = n times the rotor speed
+
+rotor speed [rad/s]  rad/s               n              mode
+6.2832               6.283              1P  lag 1 regressive
+12.5664              0.000  whirl reverses  lag 1 regressive
+
+";
+        assert_eq!(text, expected);
+        let csv = critical_csv(&table, &fixed.critical);
+        let heading = "rotor speed [rpm],rotor speed [rad/s],harmonic [-],frequency [Hz],\
+                       frequency [rad/s],name\n";
+        assert!(csv.starts_with(heading), "{csv}");
+        assert!(
+            csv.contains("\n60,6.28319,1,1,6.28319,lag 1 regressive\n"),
+            "{csv}"
+        );
+        table.style.unit = FrequencyUnit::PerRevolution;
+        let text = fixed_text(&table, &fixed);
+        assert!(
+            text.contains("\nlag 1 progressive  -  3.000  1.667\n"),
+            "{text}"
+        );
     }
 }

@@ -2,18 +2,21 @@
 
 use std::f64::consts::TAU;
 
+use super::mode_units::Columns;
 use super::rows::{csv_text, number};
-use super::text::{RPM, cleared, per_rev, share};
+use super::text::{cleared, share};
 use crate::case::Words;
 use crate::input::short_number;
 use crate::result::{Direction, FrequencyTable, ModeKind, ModePoint};
 
 /// The heading, with the word for lag.
-fn heading(lag: &str) -> String {
+fn heading(columns: Columns, lag: &str) -> String {
     format!(
-        "rotor speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping ratio [-],\
-         growth [1/s],flap [-],{lag} [-],torsion [-],axial [-],assurance [-],whirl,\
-         whirl share [-],fixed frequency [Hz],fixed direction"
+        "{},mode,name,kind,{},damping ratio [-],growth [1/s],flap [-],{lag} [-],torsion [-],\
+         axial [-],assurance [-],whirl,whirl share [-],{},fixed direction",
+        columns.speed_heading(),
+        columns.frequency_heading(),
+        columns.heading("fixed frequency")
     )
 }
 
@@ -24,24 +27,25 @@ fn heading(lag: &str) -> String {
 /// direction in the fixed system. Missing values are empty.
 pub fn mode_csv(table: &FrequencyTable) -> String {
     let words = table.style.words;
+    let columns = Columns(table.style.unit);
     let mut rows = Vec::new();
     for (index, &speed) in table.speeds.iter().enumerate() {
         for (entry, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
-            let mut row = vec![number(speed * RPM), (entry + 1).to_string()];
+            let mut row = columns.speed(speed, number);
+            row.push((entry + 1).to_string());
             row.push(branch.name.clone());
             row.push(branch.kind_at(point).word_in(words).to_owned());
-            row.push(number(point.frequency));
-            row.push(per_rev(point.frequency, speed).map_or_else(String::new, number));
+            row.extend(columns.frequency(point.frequency, speed));
             row.push(short_number(cleared(point.damping_ratio), 6));
             row.push(short_number(growth(point), 6));
             row.extend(point.shares.map(share));
             let assurance = point.assurance.map(|mac| format!("{mac:.4}"));
             row.push(assurance.unwrap_or_default());
-            row.extend(whirl(point, speed / TAU, words));
+            row.extend(whirl(point, speed / TAU, (words, columns)));
             rows.push(row);
         }
     }
-    csv_text(&heading(ModeKind::Lag.word_in(words)), rows)
+    csv_text(&heading(columns, ModeKind::Lag.word_in(words)), rows)
 }
 
 /// Growth [1/s], zero where the damping ratio is round-off.
@@ -55,17 +59,16 @@ fn growth(point: &ModePoint) -> f64 {
 
 /// Pattern of motion of the blades, its share, and its frequency and direction in the fixed system
 /// at a rotor speed \[Hz\].
-fn whirl(point: &ModePoint, speed: f64, words: Words) -> [String; 4] {
+fn whirl(point: &ModePoint, speed: f64, (words, columns): (Words, Columns)) -> Vec<String> {
     let Some(whirl) = &point.whirl else {
-        return Default::default();
+        let frequencies = columns.values(0.0, |_| String::new());
+        return vec![String::new(); 3 + frequencies.len()];
     };
     let (frequency, direction) = whirl.in_fixed_system(point.frequency, speed);
-    [
-        whirl.word_in(words),
-        share(whirl.share),
-        number(frequency),
-        direction.map_or("", Direction::word).to_owned(),
-    ]
+    let mut cells = vec![whirl.word_in(words), share(whirl.share)];
+    cells.extend(columns.values(frequency, number));
+    cells.push(direction.map_or("", Direction::word).to_owned());
+    cells
 }
 
 #[cfg(test)]

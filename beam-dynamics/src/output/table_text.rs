@@ -1,7 +1,7 @@
 //! The frequency table as text for a report: one row per mode, columns of speeds.
 
 use super::table_changes::changes;
-use super::text::{DAMPED, RPM, aligned, per_rev};
+use super::text::{DAMPED, aligned, per_rev};
 use crate::case::Words;
 use crate::input::short_number;
 use crate::result::{FrequencyTable, ModeKind};
@@ -51,7 +51,8 @@ const WHIRL: &str = "\
 
 /// Further parts of the names of modes of a shaft.
 const SHAFT_WHIRL: &str = "\
-\x20 progressive, regressive: whirl with the rotation or against it, in the turning axes
+\x20 progressive, regressive: whirl with the rotation or against it, in the turning axes at the
+        speed of the name, which is kept where the frequency passes through zero
 ";
 
 /// Meaning of the numbers and names of `table`, without the kinds of blades for a shaft.
@@ -86,6 +87,8 @@ fn of_all_kinds(table: &FrequencyTable) -> String {
     let lateral = of_kind(ModeKind::Lateral, LATERAL);
     let rigid = of_kind(ModeKind::Rigid, RIGID);
     let text = format!("{CONVENTION}{lateral}{rigid}{damping}{whirl}");
+    let unit = table.style.unit.of_column().word();
+    let text = text.replace("  Hz    ", &format!("  {unit:<6}"));
     match table.style.words {
         Words::Rotor => text,
         Words::Wind => text
@@ -141,12 +144,14 @@ pub fn frequency_text(table: &FrequencyTable) -> String {
 /// Two lines of heading and a row for each mode that has a point in the block.
 fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
     let damped = is_damped(table);
-    let mut speeds = vec!["rotor speed [rpm]".to_owned()];
+    let unit = table.style.unit;
+    let column = unit.of_column();
+    let mut speeds = vec![format!("rotor speed [{}]", unit.speed_word())];
     let mut units = vec!["mode".to_owned()];
     for &speed in block {
-        let rpm = short_number(table.speeds[speed] * RPM, 6);
-        speeds.extend([String::new(), rpm, String::new()]);
-        units.extend([String::new(), "Hz".to_owned(), "/rev".to_owned()]);
+        let shown = short_number(unit.speed(table.speeds[speed]), 6);
+        speeds.extend([String::new(), shown, String::new()]);
+        units.extend([String::new(), column.word().to_owned(), "/rev".to_owned()]);
         if damped {
             speeds.push(String::new());
             units.push("%".to_owned());
@@ -160,7 +165,8 @@ fn rows(table: &FrequencyTable, block: &[usize]) -> Vec<Vec<String>> {
             let point = branch.points.get(speed).and_then(Option::as_ref);
             let frequency = point.map(|point| point.frequency);
             let over_speed = frequency.and_then(|f| per_rev(f, table.speeds[speed]));
-            row.extend([String::new(), decimal(frequency), decimal(over_speed)]);
+            let shown = frequency.and_then(|f| column.value(f, table.speeds[speed]));
+            row.extend([String::new(), decimal(shown), decimal(over_speed)]);
             if damped {
                 let per_cent = point.map(|point| 100.0 * point.damping_ratio);
                 // Adding zero removes the sign of a negative zero.
@@ -215,6 +221,7 @@ fn remarks(table: &FrequencyTable) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::FrequencyUnit;
     use crate::output::samples;
     use crate::result::Whirl;
 
@@ -277,6 +284,23 @@ torsion 1                 -     -      -    99.500  9.950  0.000
             "{of_shaft}"
         );
         assert!(convention(&table).lines().all(|line| line.len() <= 96));
+    }
+
+    // 600 rpm are 20 pi rad/s, 12.5 Hz are 25 pi rad/s.
+    #[test]
+    fn frequencies_and_speeds_have_the_chosen_unit() {
+        let mut table = samples::small();
+        table.style.unit = FrequencyUnit::RadiansPerSecond;
+        let text = frequency_text(&table);
+        let expected = "\
+rotor speed [rad/s]          0          62.8319
+mode                     rad/s  /rev      rad/s   /rev
+flap 1                   8.796     -     78.540  1.250
+";
+        assert!(text.contains(expected), "{text}");
+        assert!(convention(&table).contains("\n  rad/s frequency of small motions"));
+        table.style.unit = FrequencyUnit::PerRevolution;
+        assert_eq!(convention(&table), CONVENTION);
     }
 
     #[test]

@@ -2,12 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use super::critical::{CriticalSpeed, crossings};
 use super::{Direction, FrequencyTable, ModeBranch, ModeKind, ModePoint, Whirl};
 use crate::case::Words;
-
-/// Relative difference of frequencies up to which a whirl that passes through zero in the turning
-/// axes is continued.
-const CONTINUED: f64 = 0.1;
 
 /// A mode at one speed, in the fixed system.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,20 +34,6 @@ pub struct FixedLine {
     pub points: Vec<Option<FixedPoint>>,
 }
 
-/// A speed at which a frequency in the fixed system is a multiple of the speed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CriticalSpeed {
-    /// Name of the mode.
-    pub name: String,
-    /// Multiple of the rotor speed; zero where the frequency passes through zero, and the whirl
-    /// changes its direction.
-    pub order: u32,
-    /// Rotor speed [rad/s].
-    pub speed: f64,
-    /// Frequency in the fixed system [Hz].
-    pub frequency: f64,
-}
-
 /// Frequencies in the fixed system over rotor speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FixedTable {
@@ -66,11 +49,10 @@ impl FixedTable {
     pub fn new(table: &FrequencyTable, orders: &[u32]) -> Option<Self> {
         let branches = table.branches.iter();
         let lines = branches.filter_map(|branch| line(branch, &table.speeds, table.style.words));
-        let mut lines: Vec<_> = lines.collect();
+        let lines: Vec<_> = lines.collect();
         if lines.is_empty() || table.speeds.len() < 2 {
             return None;
         }
-        join(&mut lines);
         let mut critical: Vec<_> = lines
             .iter()
             .flat_map(|line| critical(line, &table.speeds, orders))
@@ -114,8 +96,10 @@ impl FixedLine {
 fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> {
     let whirls = branch.points.iter().flatten().filter_map(|p| p.whirl);
     let pure: Vec<_> = whirls.filter(Whirl::is_pure).collect();
-    // At rest the pattern of a shaft is open.
-    let of_branch = *pure.last()?;
+    // At rest the pattern of a shaft is open, and beyond its critical speed its forward whirl runs
+    // backward in the turning axes.
+    let named = pure.iter().find(|w| branch.harmonic == Some(w.harmonic));
+    let of_branch = *named.or(pure.last())?;
     let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
         let point = point.as_ref()?;
         let own = point.whirl.filter(Whirl::is_pure);
@@ -140,82 +124,11 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
     })
 }
 
-/// Joins lines of which one ends where another one begins, as a forward whirl does at its critical
-/// speed: its frequency in the turning axes passes through zero, and its shape becomes the
-/// conjugate one.
-fn join(lines: &mut Vec<FixedLine>) {
-    let mut index = 0;
-    while index < lines.len() {
-        let next = (0..lines.len()).find(|other| {
-            *other != index && continues(&lines[index].points, &lines[*other].points)
-        });
-        let Some(next) = next else {
-            index += 1;
-            continue;
-        };
-        let tail = lines.remove(next);
-        if next < index {
-            index -= 1;
-        }
-        let points = lines[index].points.iter_mut().zip(tail.points);
-        points.for_each(|(own, new)| *own = own.or(new));
-    }
-}
-
-/// Whether `next` begins at the speed after the last of `points` as the same forward whirl.
-fn continues(points: &[Option<FixedPoint>], next: &[Option<FixedPoint>]) -> bool {
-    let last = points.iter().rposition(Option::is_some);
-    let first = next.iter().position(Option::is_some);
-    let (Some(last), Some(first)) = (last, first) else {
-        return false;
-    };
-    let (Some(a), Some(b)) = (points[last], next[first]) else {
-        return false;
-    };
-    let forward = Some(Direction::Forward);
-    last + 1 == first
-        && (a.direction, b.direction) == (forward, forward)
-        && a.kind == b.kind
-        && (a.signed - b.signed).abs() <= CONTINUED * a.signed
-}
-
 /// The critical speeds of a line.
 fn critical(line: &FixedLine, speeds: &[f64], orders: &[u32]) -> Vec<CriticalSpeed> {
-    let mut found = Vec::new();
-    for k in 1..speeds.len().min(line.points.len()) {
-        let (Some(a), Some(b)) = (line.points[k - 1], line.points[k]) else {
-            continue;
-        };
-        let runs = a.direction.is_some() || b.direction.is_some();
-        let zero = runs.then_some(0);
-        for order in zero.into_iter().chain(orders.iter().copied()) {
-            let signs: &[f64] = if order > 0 && runs {
-                &[1.0, -1.0]
-            } else {
-                &[1.0]
-            };
-            for sign in signs {
-                let turns = |speed: f64| sign * f64::from(order) * speed / TAU;
-                let gaps = [a.signed - turns(speeds[k - 1]), b.signed - turns(speeds[k])];
-                // At rest all multiples are zero.
-                let crosses = gaps[1] == 0.0 || (gaps[0] > 0.0) != (gaps[1] > 0.0);
-                if gaps[0] == 0.0 || !crosses {
-                    continue;
-                }
-                let part = gaps[0] / (gaps[0] - gaps[1]);
-                found.push(CriticalSpeed {
-                    name: line.name.clone(),
-                    order,
-                    speed: speeds[k - 1] + part * (speeds[k] - speeds[k - 1]),
-                    frequency: match order {
-                        0 => 0.0,
-                        _ => (a.signed + part * (b.signed - a.signed)).abs(),
-                    },
-                });
-            }
-        }
-    }
-    found
+    let point = |point: FixedPoint| (point.signed, point.direction.is_some());
+    let points: Vec<_> = line.points.iter().map(|p| p.map(point)).collect();
+    crossings(&line.name, &points, speeds, orders)
 }
 
 #[cfg(test)]
@@ -264,8 +177,10 @@ mod tests {
             speeds: speeds.iter().map(|turns| turns * TAU).collect(),
             branches: branches.collect(),
             equilibria: Vec::new(),
+            decaying: Vec::new(),
             remarks: Vec::new(),
             style: Default::default(),
+            is_single_blade: false,
         }
     }
 
@@ -315,25 +230,15 @@ mod tests {
     }
 
     // A shaft whose forward whirl is 2 Hz in the fixed system: in the turning axes 2 - n Hz with
-    // the rotation, and from 2 Hz on n - 2 Hz against it, where another branch begins.
+    // the rotation, and from 2 Hz on n - 2 Hz against it.
     #[test]
     fn a_whirl_continues_through_its_critical_speed() {
         let speeds = [0.0, 1.0, 3.0, 4.0];
-        let before = vec![
-            point(2.0, 0.0, whirl(1, 0)),
-            point(1.0, 0.0, whirl(1, 0)),
-            None,
-            None,
-        ];
-        let after = vec![
-            None,
-            None,
-            point(1.0, 0.0, whirl(-1, 0)),
-            point(2.0, 0.0, whirl(-1, 0)),
-        ];
-        let table = table(&speeds, vec![("before", before), ("after", after)]);
+        let seen = [(2.0, 1), (1.0, 1), (1.0, -1), (2.0, -1)];
+        let points = seen.map(|(frequency, h)| point(frequency, 0.0, whirl(h, 0)));
+        let table = table(&speeds, vec![("forward", points.to_vec())]);
         let fixed = FixedTable::new(&table, &[1, 2]).unwrap();
-        assert_eq!(fixed.lines.len(), 1);
+        assert_eq!(fixed.lines[0].harmonic, 1);
         let points = fixed.lines[0].points.iter().flatten();
         let seen: Vec<_> = points.map(|p| rounded(p.signed)).collect();
         assert_eq!(seen, [2.0; 4]);

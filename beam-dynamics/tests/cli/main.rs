@@ -163,6 +163,18 @@ fn a_quiet_run_prints_problems_only() {
     let run = folder.run(&["modes", "a.dynamics.toml", "--quiet", "--no-figures"]);
     assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
     assert!(folder.path("results/a.frequencies.txt").is_file());
+    // Remarks are warnings, with and without a report.
+    let many = BLADE.replace("count = 4", "count = 900");
+    folder.write("c.dynamics.toml", &many);
+    let quiet = folder.run(&["modes", "c.dynamics.toml", "-q", "--no-figures"]);
+    let told = folder.run(&["modes", "c.dynamics.toml", "--no-figures"]);
+    let remarks = told.out.split("\nRemarks\n").nth(1).unwrap();
+    let remark = remarks.lines().next().unwrap().trim();
+    assert!(remark.contains("of 900 modes were found"), "{remark}");
+    assert_eq!((quiet.code, quiet.out.as_str()), (0, ""));
+    let expected = format!("warning: c: {remark}\n");
+    assert!(quiet.err.starts_with(&expected), "{}", quiet.err);
+    assert_eq!(told.err, "");
     let wrong = folder.run(&["modes", "b.dynamics.toml", "-q"]);
     assert_eq!((wrong.code, wrong.out.as_str()), (2, ""));
     assert!(wrong.err.contains("b.dynamics.toml"), "{}", wrong.err);
@@ -187,6 +199,7 @@ fn a_good_run_writes_everything_and_says_where() {
         "comparison.csv",
         "fan.png",
         "fan.svg",
+        "critical_speeds.csv",
         "shapes_at_0_rpm.png",
         "shapes_at_0_rpm.svg",
         "shapes_at_750_rpm.png",

@@ -22,7 +22,7 @@ const WIDE_STEP: f64 = PI / 6.0;
 
 /// Steps over the zero angle above this are gaps unless the value is constant: the flow is attached
 /// there, and lift rises and falls in between \[rad\].
-const GAP: f64 = PI / 3.0;
+const GAP: f64 = PI / 7.2;
 
 /// Problems and remarks of a table.
 #[derive(Debug, Default)]

@@ -68,6 +68,17 @@ fn each_problem_is_named_with_its_numbers() {
         gap.contains("lift of \"plain\": no values between -60 and 60 deg"),
         "{gap}"
     );
+    // A table from which the angles from -18 to 12.5 degrees were deleted.
+    let gap = first(&|data| {
+        data.lift[0] = curve(&[
+            (-180.0, 0.0),
+            (-60.0, -0.8),
+            (-18.0, -1.0),
+            (12.5, 1.2),
+            (180.0, 0.0),
+        ]);
+    });
+    assert!(gap.contains("no values between -18 and 12.5 deg"), "{gap}");
     let ends = first(&|data| data.moment[0].values[0] = 0.4);
     assert!(ends.contains("0.4 at -180 deg and 0 at 180 deg"), "{ends}");
     let number = first(&|data| data.drag[0].values[1] = f64::NAN);

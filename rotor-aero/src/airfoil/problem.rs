@@ -74,7 +74,7 @@ pub enum AirfoilProblem {
     },
     /// A gap at small angles of attack.
     #[error(
-        "{curve}: no values between {from_deg} and {to_deg} deg, expected steps of at most 60 deg there"
+        "{curve}: no values between {from_deg} and {to_deg} deg, expected steps of at most 25 deg there"
     )]
     Gap {
         /// Curve.

@@ -69,12 +69,14 @@ impl Annulus {
         self.blades as f64 * self.chord / (2.0 * PI * self.radius.abs().max(f64::MIN_POSITIVE))
     }
 
-    /// Whether the station is between hub and tip. The factors of loss are zero at both ends, and
-    /// so are the loads: nothing is evaluated there, nor within rounding of the ends.
+    /// Whether the station is between hub and tip. At an end with a loss its factor is zero, and so
+    /// are the loads: nothing is evaluated there, nor within rounding of it.
     pub fn is_interior(&self) -> bool {
         let margin = END_MARGIN * self.tip_radius.abs();
-        self.radius > self.hub_radius + margin
-            && self.radius < self.tip_radius - margin
+        let inside =
+            |distance: f64, has_loss: bool| distance > if has_loss { margin } else { -margin };
+        inside(self.radius - self.hub_radius, self.options.hub_loss)
+            && inside(self.tip_radius - self.radius, self.options.tip_loss)
             && self.radius > 0.0
     }
 
@@ -189,5 +191,11 @@ mod tests {
         }
         ring.radius = f64::NAN;
         assert!(!ring.is_interior());
+        // Without losses the ends have loads.
+        (ring.options.tip_loss, ring.options.hub_loss) = (false, false);
+        for (radius, is_interior) in [(4.0, true), (0.5, true), (4.001, false), (0.499, false)] {
+            ring.radius = radius;
+            assert_eq!(ring.is_interior(), is_interior);
+        }
     }
 }

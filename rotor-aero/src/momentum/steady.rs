@@ -11,13 +11,14 @@
 //! (2021) 1227, for the general form, in which the sign of `k'` follows Vx. Here it follows phi: the
 //! air that passes the disk, in either direction, takes swirl in the direction of the torque. The
 //! forms differ only where the flow through the disk is against Vx. A root is bracketed in one of
-//! the four quadrants.
+//! the four quadrants. In descent, Vx < 0, the state is the one of [`descent`].
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::{Annulus, SectionFlow};
 use crate::momentum::bracket::{opposite, root};
+use crate::momentum::descent;
 use crate::momentum::loss::loss;
 
 /// Distance of the brackets from the axes \[rad\].
@@ -102,10 +103,19 @@ pub fn solve(
     if vx == 0.0 && vy == 0.0 {
         return ring.without_induction(Outcome::AtRest);
     }
-    match ring.angle() {
-        Some(phi) => ring.solution(phi),
-        None => ring.without_induction(Outcome::Unsolved),
+    if !(vx.is_finite() && vy.is_finite()) {
+        return ring.without_induction(Outcome::Unsolved);
     }
+    let found = if ring.vx < 0.0 && vy != 0.0 {
+        let found = descent::solve(annulus, pitch, (ring.vx, ring.vy), &ring.section);
+        found.map(|((axial, swirl), phi)| ring.solution(phi, axial, swirl))
+    } else {
+        ring.angle().map(|phi| {
+            let Trial { axial, swirl, .. } = ring.trial(phi);
+            ring.solution(phi, axial, swirl)
+        })
+    };
+    found.unwrap_or_else(|| ring.without_induction(Outcome::Unsolved))
 }
 
 /// A section in its ring, and the air that meets it.
@@ -132,7 +142,11 @@ impl<'a, S: Fn(f64) -> Coefficients<f64>> Ring<'a, S> {
             annulus,
             pitch,
             given: (vx, vy),
-            vx: at_least(vx, LEAST_AXIAL * vy.abs()),
+            vx: if vx < 0.0 {
+                vx
+            } else {
+                at_least(vx, LEAST_AXIAL * vy.abs())
+            },
             vy: at_least(vy, LEAST_IN_PLANE * vx.abs()),
             solidity: annulus.solidity(),
             section,
@@ -197,14 +211,13 @@ impl<'a, S: Fn(f64) -> Coefficients<f64>> Ring<'a, S> {
         }
     }
 
-    fn solution(&self, phi: f64) -> Solution {
-        let trial = self.trial(phi);
-        let flow = SectionFlow::of(self.vx + trial.axial, self.vy - trial.swirl);
+    fn solution(&self, phi: f64, axial: f64, swirl: f64) -> Solution {
+        let flow = SectionFlow::of(self.vx + axial, self.vy - swirl);
         let alpha = self.pitch - phi;
         Solution {
             outcome: Outcome::Solved,
-            axial: trial.axial,
-            swirl: trial.swirl,
+            axial,
+            swirl,
             flow,
             alpha,
             loss: loss(self.annulus, flow.sin),

@@ -1,6 +1,7 @@
 //! Mean wind that changes with time: linear between the times of a table, constant outside, or a
 //! given function of time.
 
+use std::f64::consts::TAU;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -61,7 +62,7 @@ pub struct WindTable {
 }
 
 impl WindTable {
-    /// A table of times \[s\] and winds.
+    /// A table of times \[s\] and winds. Between two rows the direction turns the short way.
     ///
     /// # Errors
     /// No row, times that do not ascend, or different laws of height.
@@ -96,7 +97,9 @@ impl WindTable {
             let problem = WindProblem::value("time of the wind [s]", *time, "a number", HELP);
             return Err(problem);
         }
-        Ok(Self { rows })
+        Ok(Self {
+            rows: turned_the_short_way(rows),
+        })
     }
 
     /// The mean wind at a time \[s\].
@@ -122,6 +125,16 @@ impl WindTable {
     pub fn times(&self) -> [f64; 2] {
         [self.rows[0].0, self.rows[self.rows.len() - 1].0]
     }
+}
+
+/// The rows with directions that differ by half a turn at most from one row to the next.
+fn turned_the_short_way(mut rows: Vec<(f64, MeanWind)>) -> Vec<(f64, MeanWind)> {
+    for index in 1..rows.len() {
+        let before = rows[index - 1].1.direction;
+        let wind = &mut rows[index].1;
+        wind.direction -= TAU * ((wind.direction - before) / TAU).round();
+    }
+    rows
 }
 
 /// The wind at the fraction `s` of the way from `a` to `b`.
@@ -184,6 +197,22 @@ mod tests {
         }
         assert_eq!(table.at(f64::NAN), of(8.0));
         assert_eq!(table.times(), [1.0, 3.0]);
+    }
+
+    /// From north to 350 degrees, and once around in four rows.
+    #[test]
+    fn directions_turn_the_short_way() {
+        let at = |degrees: f64| MeanWind {
+            direction: degrees.to_radians(),
+            ..MeanWind::default()
+        };
+        let table = WindTable::new(vec![(0.0, at(0.0)), (10.0, at(350.0))]).unwrap();
+        assert!((table.at(5.0).direction.to_degrees() + 5.0).abs() < 1e-12);
+        let rows = [0.0, 120.0, 240.0, 360.0].map(|degrees| (degrees, at(degrees)));
+        let table = WindTable::new(rows.to_vec()).unwrap();
+        for degrees in [60.0, 180.0, 300.0, 360.0] {
+            assert!((table.at(degrees).direction.to_degrees() - degrees).abs() < 1e-12);
+        }
     }
 
     #[test]

@@ -69,6 +69,8 @@ pub(super) struct Run {
     mesh_error: bool,
     /// Driven electrodes that are open.
     open: Vec<String>,
+    /// Whether no report is printed, so that warnings are problems.
+    quiet: bool,
 }
 
 impl Run {
@@ -80,6 +82,7 @@ impl Run {
             sensitivity: None,
             mesh_error: false,
             open: Vec::new(),
+            quiet: false,
         }
     }
 }
@@ -110,6 +113,7 @@ pub(super) fn analyze_files(
             .then(|| arguments.sensitivity_nodes.clone()),
         mesh_error: arguments.mesh_error,
         open: arguments.open.clone(),
+        quiet: terminal.is_quiet,
     };
     match &jobs[..] {
         [job] => show(analyze_one(job, &run).0, terminal),

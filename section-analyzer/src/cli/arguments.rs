@@ -183,7 +183,7 @@ fn first_line(text: &'static str) -> &'static str {
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
-    /// Print no report; problems are still reported on the error stream
+    /// Print no report; problems and warnings are still reported on the error stream
     #[arg(long, short, global = true)]
     quiet: bool,
 }

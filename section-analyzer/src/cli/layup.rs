@@ -58,6 +58,10 @@ pub(super) fn write_remarks(layup: &Layup, terminal: &mut Terminal<'_>) -> io::R
     for remark in &layup.remarks {
         writeln!(terminal.out, "  note: {remark}")?;
     }
+    for (layer, line) in layup.absent_layers() {
+        let text = format!("line {line}: layer \"{layer}\" is absent at all stations");
+        writeln!(terminal.out, "  note: {text}")?;
+    }
     Ok(())
 }
 

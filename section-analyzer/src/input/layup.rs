@@ -14,8 +14,10 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
 mod constants;
 mod course;
+mod fills;
 mod keys;
 mod layers;
+mod names;
 mod place;
 mod prevabs;
 mod problem;
@@ -26,6 +28,7 @@ mod taper;
 mod windio;
 
 pub use course::Course;
+pub use fills::{FillBound, WrittenFill};
 pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
@@ -34,7 +37,7 @@ pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;
 
-use keys::{LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use keys::{FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
 
@@ -49,6 +52,8 @@ pub struct Layup {
     pub layers: Vec<WrittenLayer>,
     /// The webs.
     pub webs: Vec<WrittenWeb>,
+    /// Materials that fill the spaces between shell and webs.
+    pub fills: Vec<WrittenFill>,
     /// Largest length of cells \[m\].
     pub size: Option<f64>,
     /// The reference line of the blade.
@@ -86,6 +91,8 @@ pub struct WrittenLayer {
     pub to: Place,
     /// The drop of its thickness at its ends.
     pub taper: Option<Taper>,
+    /// The web along which it continues, and the line of the file.
+    pub web: Option<(String, usize)>,
     /// Its line in the file.
     pub line: usize,
 }
@@ -180,25 +187,29 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let layers = root.each(&LAYERS, |table| known.layers(table));
     let layers: Option<Vec<WrittenLayer>> = layers.map(|layers| layers.concat());
     let webs = root.each(&WEBS, |table| known.web(table));
+    let fills = root.each(&FILLS, |table| known.fill(table));
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     let line = root.nested(&LINE, read_line);
     let stations = span::stations(&root);
     root.finish();
-    if let (Some(layers), Some(webs)) = (&layers, &webs) {
-        for (line, problem) in doubled_names(layers, webs) {
+    let mut has_names = true;
+    if let (Some(layers), Some(webs), Some(fills)) = (&layers, &webs, &fills) {
+        for (line, problem) in wrong_names(layers, webs, fills) {
             document.note(line, &problem);
+            has_names = false;
         }
     }
-    let rest = (places, size.zip(line).zip(stations));
+    let rest = (places.zip(fills), size.zip(line).zip(stations));
     let mut layup = match (shape, layers, webs, rest) {
-        (Some(Some(shape)), Some(layers), Some(webs), (Some(places), Some(rest))) => {
+        (Some(Some(shape)), Some(layers), Some(webs), (Some((places, fills)), Some(rest))) => {
             let ((size, line), stations) = rest;
             Some(Layup {
                 shape,
                 places,
                 layers,
                 webs,
+                fills,
                 size: size.flatten(),
                 line,
                 stations,
@@ -214,11 +225,21 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     if let Some(Err(problem)) = layup.as_mut().map(Layup::divide_lengths) {
         document.note(shape_line, &problem);
     }
+    if let Some(layup) = layup.as_mut().filter(|_| has_names) {
+        layup.remarks = layup.idle_places();
+        for (line, problem) in layup.wrong_places() {
+            document.note(line, &problem);
+        }
+    }
     document.finish(layup)
 }
 
-/// Names that are given twice, with their lines.
-fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, LayupFileProblem)> {
+/// Names that are given twice, and unknown webs of fills, with their lines.
+fn wrong_names(
+    layers: &[WrittenLayer],
+    webs: &[WrittenWeb],
+    fills: &[WrittenFill],
+) -> Vec<(usize, LayupFileProblem)> {
     let mut known: Vec<(&str, usize)> = Vec::new();
     let mut problems = Vec::new();
     let plies = webs.iter().flat_map(|web| &web.plies);
@@ -226,7 +247,8 @@ fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, La
         .iter()
         .chain(plies)
         .map(|layer| (layer.name.as_str(), layer.line));
-    for (name, line) in names.chain(webs.iter().map(|web| (web.name.as_str(), web.line))) {
+    let names = names.chain(webs.iter().map(|web| (web.name.as_str(), web.line)));
+    for (name, line) in names.chain(fills.iter().map(|fill| (fill.name.as_str(), fill.line))) {
         match known.iter().find(|one| one.0 == name) {
             Some((_, first)) => {
                 let name = name.to_owned();
@@ -235,7 +257,47 @@ fn doubled_names(layers: &[WrittenLayer], webs: &[WrittenWeb]) -> Vec<(usize, La
             None => known.push((name, line)),
         }
     }
+    let of_layers = layers.iter().filter_map(|layer| layer.web.as_ref());
+    let of_layers = of_layers.map(|(name, line)| (name.as_str(), *line));
+    problems.extend(wrong_spars(of_layers.clone(), webs));
+    for (name, line) in fills.iter().flat_map(WrittenFill::webs).chain(of_layers) {
+        if webs.iter().all(|web| web.name != name) {
+            let problem = LayupFileProblem::Unknown {
+                kind: "web",
+                found: name.to_owned(),
+                known: webs.iter().map(|web| web.name.clone()).collect(),
+            };
+            problems.push((line, problem));
+        }
+    }
     problems
+}
+
+/// Webs of layers that have plies of their own, or that are not the web of the first such layer.
+fn wrong_spars<'a>(
+    mut of_layers: impl Iterator<Item = (&'a str, usize)> + Clone,
+    webs: &[WrittenWeb],
+) -> Vec<(usize, LayupFileProblem)> {
+    let first = of_layers.clone().next();
+    let problem = |(name, line): (&'a str, usize)| {
+        let first = first.map(|first| first.0).filter(|first| *first != name);
+        let has_plies = || {
+            webs.iter()
+                .any(|web| web.name == name && !web.plies.is_empty())
+        };
+        let problem = match first {
+            Some(first) => LayupFileProblem::TwoSpars {
+                webs: [first, name].map(str::to_owned),
+            },
+            None if has_plies() => LayupFileProblem::PliesOfSpar {
+                web: name.to_owned(),
+            },
+            None => return None,
+        };
+        Some((line, problem))
+    };
+    // one of a kind is enough
+    of_layers.find_map(problem).into_iter().collect()
 }
 
 /// The lines of the tables of units and materials, and of a word of units at the top.
@@ -307,6 +369,8 @@ impl Layup {
             all.extend(layer.to.positions());
         }
         all.extend(self.places.iter().flat_map(|place| place.1.positions()));
+        let of_fills = self.fills.iter().flat_map(WrittenFill::places);
+        all.extend(of_fills.flat_map(Place::positions));
         if all.is_empty() {
             all.push(0.0);
         }
@@ -324,6 +388,24 @@ impl Layup {
             .find(|layer| layer.name == name)
     }
 
+    /// Whether layers continue along a web.
+    fn is_of_spar(&self, web: &WrittenWeb) -> bool {
+        let mut webs = self.layers.iter().filter_map(|layer| layer.web.as_ref());
+        webs.any(|(name, _)| *name == web.name)
+    }
+
+    /// The material of the layer, ply or fill of this name.
+    pub fn material_of(&self, name: &str) -> Option<&str> {
+        let layer = self.layer(name).map(|layer| layer.material.as_str());
+        let fill = || Some(self.fill(name)?.material.as_str());
+        layer.or_else(fill)
+    }
+
+    /// The fill of this name.
+    pub fn fill(&self, name: &str) -> Option<&WrittenFill> {
+        self.fills.iter().find(|fill| fill.name == name)
+    }
+
     /// Makes positions along the span that are lengths parts of the length of the line.
     fn divide_lengths(&mut self) -> Result<(), LayupFileProblem> {
         let length = self.line.as_ref().map(ReferenceLine::length);
@@ -335,6 +417,7 @@ impl Layup {
             plies.extend(&mut web.plies);
             places.extend(&mut web.places);
         }
+        places.extend(self.fills.iter_mut().flat_map(WrittenFill::places_mut));
         for layer in plies {
             courses.push(&mut layer.thickness);
             places.extend([&mut layer.from, &mut layer.to]);
@@ -359,8 +442,9 @@ impl Layup {
                 .find(|web| web.name == name)
                 .map(|web| web.line)
         };
+        let fill = || self.fill(name).map(|fill| fill.line);
         let line = self.layer(name).map(|layer| layer.line);
-        line.or_else(web).unwrap_or(self.shape_line)
+        line.or_else(web).or_else(fill).unwrap_or(self.shape_line)
     }
 
     fn problem(&self, line: usize, problem: &LayupFileProblem) -> Diagnostics {

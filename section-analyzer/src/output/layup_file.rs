@@ -5,7 +5,7 @@ use std::fmt::Write;
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 
 use crate::input::layup::{
-    Course, Layup, Place, PlaceForm, SIDES, TOWARDS, Taper, Toward, WrittenLayer,
+    Course, FillBound, Layup, Place, PlaceForm, SIDES, TOWARDS, Taper, Toward, WrittenLayer,
 };
 
 /// The layup file of `layup`, read from `source`. Lengths are in its unit.
@@ -28,7 +28,43 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     if let Some(line) = &layup.line {
         write_line(text, line, unit)?;
     }
-    let shape = &layup.shape;
+    write_shape(text, layup)?;
+    for (name, at) in &layup.places {
+        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
+    }
+    for layer in &layup.layers {
+        writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
+        writeln!(text, "from = {}", place(&layer.from, unit))?;
+        writeln!(text, "to = {}", place(&layer.to, unit))?;
+        match layer.taper {
+            Some(Taper::Length(length)) => writeln!(text, "taper = {:?}", length / unit)?,
+            Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
+            None => {}
+        }
+        if let Some((web, _)) = &layer.web {
+            writeln!(text, "web = {web:?}")?;
+        }
+    }
+    for web in &layup.webs {
+        writeln!(text, "\n[[web]]\nname = {:?}", web.name)?;
+        for (side, at) in SIDES.iter().zip(&web.places) {
+            writeln!(text, "{side} = {}", place(at, unit))?;
+        }
+        writeln!(text, "eta = {:?}\nplies = [", web.range)?;
+        for ply in &web.plies {
+            writeln!(text, "  {{ {} }},", rows_of(ply, unit).join(", "))?;
+        }
+        writeln!(text, "]")?;
+    }
+    write_fills(text, layup)?;
+    if let Some(size) = layup.size {
+        writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
+    }
+    Ok(())
+}
+
+fn write_shape(text: &mut String, layup: &Layup) -> std::fmt::Result {
+    let (shape, unit) = (&layup.shape, layup.unit);
     writeln!(text, "\n[shape]")?;
     writeln!(text, "chord = {}", course(&shape.chord, unit))?;
     writeln!(text, "origin = {}", course(&shape.origin, 1.0))?;
@@ -50,32 +86,31 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
         writeln!(text, "\n[[shape.airfoils]]\n{key} = {at:?}")?;
         writeln!(text, "points = [{}]", rows.join(", "))?;
     }
-    for (name, at) in &layup.places {
-        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
-    }
-    for layer in &layup.layers {
-        writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
-        writeln!(text, "from = {}", place(&layer.from, unit))?;
-        writeln!(text, "to = {}", place(&layer.to, unit))?;
-        match layer.taper {
-            Some(Taper::Length(length)) => writeln!(text, "taper = {:?}", length / unit)?,
-            Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
-            None => {}
+    Ok(())
+}
+
+fn write_fills(text: &mut String, layup: &Layup) -> std::fmt::Result {
+    for fill in &layup.fills {
+        writeln!(text, "\n[[fill]]\nname = {:?}", fill.name)?;
+        writeln!(text, "material = {:?}", fill.material)?;
+        for (key, bound) in ["ahead_of", "aft_of"].iter().zip(&fill.bounds) {
+            match bound {
+                None => {}
+                Some(FillBound::Web(name, _)) => writeln!(text, "{key} = {name:?}")?,
+                Some(FillBound::Plane(places)) => {
+                    let mut entries = entries(&places[0], layup.unit);
+                    entries.retain(|entry| !entry.starts_with("side"));
+                    writeln!(text, "{key} = {{ {} }}", entries.join(", "))?;
+                }
+            }
         }
-    }
-    for web in &layup.webs {
-        writeln!(text, "\n[[web]]\nname = {:?}", web.name)?;
-        for (side, at) in SIDES.iter().zip(&web.places) {
-            writeln!(text, "{side} = {}", place(at, unit))?;
+        let angles = [fill.fiber_angle, fill.plane_angle];
+        for (key, value) in ["fiber_angle", "plane_angle"].iter().zip(angles) {
+            if value != 0.0 {
+                writeln!(text, "{key} = {}", angle(value))?;
+            }
         }
-        writeln!(text, "eta = {:?}\nplies = [", web.range)?;
-        for ply in &web.plies {
-            writeln!(text, "  {{ {} }},", rows_of(ply, unit).join(", "))?;
-        }
-        writeln!(text, "]")?;
-    }
-    if let Some(size) = layup.size {
-        writeln!(text, "\n[mesh]\nsize = {:?}", size / unit)?;
+        writeln!(text, "eta = {:?}", fill.range)?;
     }
     Ok(())
 }

@@ -22,7 +22,7 @@ pub struct LayerRow {
     pub meshed: f64,
 }
 
-/// The layers of a meshed section, then the plies of its webs.
+/// The layers of a meshed section, then the plies of its webs, then its fills.
 pub fn layer_rows(layup: &Layup, meshed: &LayupMesh) -> Vec<LayerRow> {
     let layers = meshed.section.layers.iter();
     let layers = layers.map(|layer| (&layer.name, [layer.from, layer.to], layer.thickness));
@@ -31,13 +31,15 @@ pub fn layer_rows(layup: &Layup, meshed: &LayupMesh) -> Vec<LayerRow> {
         plies.map(|ply| (&ply.name, web.arcs, ply.thickness))
     });
     let areas = meshed.areas.iter().map(|area| [area.nominal, area.meshed]);
-    let rows = layers.chain(plies).zip(areas);
+    // fills have no arcs and no thickness
+    let fills = meshed.section.fills.iter();
+    let fills = fills.map(|fill| (&fill.name, [0.0, 1.0], 0.0));
+    let rows = layers.chain(plies).chain(fills).zip(areas);
     let row =
         |((name, arcs, thickness), [nominal, meshed]): ((&String, [f64; 2], f64), [f64; 2])| {
-            let material = layup.layer(name).map(|layer| layer.material.clone());
             LayerRow {
                 layer: name.clone(),
-                material: material.unwrap_or_default(),
+                material: layup.material_of(name).unwrap_or_default().to_owned(),
                 arcs,
                 thickness,
                 nominal,

@@ -17,9 +17,9 @@ pub fn layup_section(layup: &Layup, meshed: &LayupMesh, mesh: &str) -> String {
 fn constants(layup: &Layup, meshed: &LayupMesh) -> String {
     let layers = meshed.section.layers.iter().map(|layer| &layer.name);
     let plies = meshed.section.webs.iter().flat_map(|web| &web.plies);
-    let names = layers.chain(plies.map(|ply| &ply.name));
-    let layers = names.filter_map(|name| layup.layer(name));
-    let materials: Vec<&str> = layers.map(|layer| layer.material.as_str()).collect();
+    let fills = meshed.section.fills.iter().map(|fill| &fill.name);
+    let names = layers.chain(plies.map(|ply| &ply.name)).chain(fills);
+    let materials: Vec<&str> = names.filter_map(|name| layup.material_of(name)).collect();
     let is_used = |head: &str| match head.strip_prefix("material.") {
         Some(rest) if rest.starts_with(['"', '\'']) => {
             let quote = &rest[..1];
@@ -56,13 +56,12 @@ fn write_section(
         groups.any(|known| known.dimension == 2 && known.name.as_deref() == Some(group))
     };
     let mut region = |group: &str, material: &str, angle: f64, follow: &str| {
-        // turned into degrees and back, an angle has round-off in its last digit
-        let angle = (angle.to_degrees() * 1e9).round() / 1e9;
         if is_there(group) {
             writeln!(
                 text,
                 "\n[[region]]\ngroup = {group:?}\nmaterial = {material:?}\n\
-                 fiber_angle = \"{angle} deg\"\nplane_angle = {{ follow = {follow:?} }}"
+                 fiber_angle = {}\nplane_angle = {{ follow = {follow:?} }}",
+                degrees(angle)
             )
         } else {
             Ok(())
@@ -73,12 +72,18 @@ fn write_section(
             continue;
         };
         let (name, material, angle) = (&layer.name, &written.material, written.fiber_angle);
-        if angle == 0.0 || written.toward == Toward::Contour {
+        let web = written.web.as_ref().map(|(web, _)| web);
+        if let Some(web) = web {
+            region(&format!("{name}@{web}"), material, angle, web)?;
+        }
+        let is_along = angle == 0.0 || written.toward == Toward::Contour;
+        if is_along && web.is_none() {
             region(name, material, angle, "contour")?;
             continue;
         }
         // the wall runs toward the leading edge on the suction side, and away from it on the other
-        for (side, angle) in [("suction", angle), ("pressure", -angle)] {
+        let below = if is_along { angle } else { -angle };
+        for (side, angle) in [("suction", angle), ("pressure", below)] {
             let follow = format!("contour@{side}");
             region(&format!("{name}@{side}"), material, angle, &follow)?;
         }
@@ -90,5 +95,24 @@ fn write_section(
             }
         }
     }
+    write_fills(text, layup, meshed)
+}
+
+fn write_fills(text: &mut String, layup: &Layup, meshed: &LayupMesh) -> std::fmt::Result {
+    for fill in &meshed.section.fills {
+        if let Some(written) = layup.fill(&fill.name) {
+            let angles = [written.fiber_angle, written.plane_angle].map(degrees);
+            writeln!(
+                text,
+                "\n[[region]]\ngroup = {:?}\nmaterial = {:?}\nfiber_angle = {}\nplane_angle = {}",
+                fill.name, written.material, angles[0], angles[1]
+            )?;
+        }
+    }
     Ok(())
+}
+
+/// An angle in degrees: turned into degrees and back, it has round-off in its last digit.
+fn degrees(angle: f64) -> String {
+    format!("\"{} deg\"", (angle.to_degrees() * 1e9).round() / 1e9)
 }

@@ -273,6 +273,16 @@ fn a_quiet_run_prints_problems_only() {
     let run = workplace.run(&["analyze", "a.section.toml", "--quiet", "--no-figures"]);
     assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
     assert!(!workplace.read("results/a.report.txt").is_empty());
+    let warned = Workplace::with(&[("fiber_angle = 0", "fiber_angle = 45")], &[]);
+    for _ in ["solved", "unchanged"] {
+        let run = warned.run(&["analyze", "a.section.toml", "-q", "--no-figures"]);
+        let warning = "warning: a.section.toml: region \"web\" has a fiber angle, but its material \
+                       \"steel\" is isotropic: the angle does not change its stiffness\n";
+        assert_eq!(
+            (run.code, run.out.as_str(), run.err.as_str()),
+            (0, "", warning)
+        );
+    }
     let run = workplace.run(&["stress", "a.section.toml", "-q"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert!(run.err.contains("has no load case"), "{}", run.err);

@@ -300,30 +300,15 @@ fn a_section_that_fails_is_named_and_leaves_the_others() {
     );
 }
 
-/// A problem that all sections share is reported once.
+/// A name that no section has is found before them, and reported once.
 #[test]
-fn a_shared_problem_is_reported_once() {
+fn an_unknown_place_is_reported_once() {
     let text = LAYUP.replace("{ x = 0.45, side = \"suction\" }", "\"web.sution\"");
     let run = blade(&workplace(&text), &["--count", "3", "--no-figures"]);
-    assert_eq!(run.code, 1);
-    assert_eq!(
-        run.err
-            .matches("place \"web.sution\" is not in the file")
-            .count(),
-        1,
-        "{}",
-        run.err
-    );
-    assert!(
-        run.err.contains("did you mean \"web.suction\"?"),
-        "{}",
-        run.err
-    );
-    assert!(
-        run.err.contains("5 of 7 sections are missing"),
-        "{}",
-        run.err
-    );
+    assert_eq!(run.code, 2);
+    let expected = "error: a.layup.toml:26: place \"web.sution\" is not in the file\n  help: did you \
+                    mean \"web.suction\"?\n";
+    assert_eq!(run.err, expected);
 }
 
 #[test]

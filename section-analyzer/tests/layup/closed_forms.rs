@@ -30,6 +30,8 @@ fn section(contour: Vec<[f64; 2]>, layers: Vec<Layer>) -> LayupSection {
         contour,
         layers,
         webs: Vec::new(),
+        spar: None,
+        fills: Vec::new(),
         size: None,
     }
 }

@@ -260,6 +260,39 @@ const WRONG: &[(&str, &str, &str)] = &[
     ("\"t.csv\"", "\"u.csv\"", "u.csv"),
     ("side = \"suction\"\n", "", "expected one of \"arc\""),
     (
+        "from = \"base.suction\"",
+        "from = { arc = 0.1, side = \"suction\" }",
+        "a.layup.toml:32: expected one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \
+         \"x\", \"distance\" and \"plane\" alone, an \"angle\" with \"plane\" alone",
+    ),
+    (
+        "from = \"base.suction\"",
+        "from = { at = \"nose\", side = \"suction\" }",
+        "a.layup.toml:32: expected one of",
+    ),
+    (
+        "from = \"base.suction\"",
+        "from = { x = 0.1, side = \"suction\", angle = 0.1 }",
+        "a.layup.toml:32: expected one of",
+    ),
+    (
+        "cap_rear + 40",
+        "cap_reer + 40",
+        "a.layup.toml:19: place \"cap_reer\" is not in the file\n  help: did you mean \
+         \"cap_rear\"?",
+    ),
+    (
+        "x = 0.45\nside = \"suction\"",
+        "at = \"web.suction.aft\"\n[place.b]\nat = \"cap_reer\"",
+        "a.layup.toml:10: place \"cap_reer\" is not in the file",
+    ),
+    (
+        "at = { x = 0.3 }",
+        "suction = \"patch.start\"\npressure = 0.7",
+        "a.layup.toml:26: places go in a circle: web.suction.fore -> patch.start -> \
+         web.suction.fore",
+    ),
+    (
         "\"1:20\"",
         "\"-1:-20\"",
         "expected a positive length, or \"1:20\"",
@@ -283,10 +316,31 @@ fn wrong_words_are_refused() {
         let problems = parse(&TEXT.replacen(from, to, 1)).expect_err(to);
         assert!(problems.contains(expected), "{to}: {problems}");
     }
-    let unknown = parse(&TEXT.replace("cap_rear + 40", "cap_reer + 40"));
-    let problem = unknown.expect("a layup").section(0.3).expect_err("a place");
-    assert!(
-        problem.to_string().contains("did you mean \"cap_rear\"?"),
-        "{problem}"
-    );
+}
+
+/// Places without a use, and layers that no section has.
+#[test]
+fn what_has_no_effect_is_a_remark() {
+    let remarks = |text: &str| parse(text).expect("a layup").remarks;
+    assert_eq!(remarks(TEXT), [""; 0]);
+    let places =
+        "[place.nose]\narc = 0.4\n[place.\"cap.end\"]\narc = 0.4\n[place.idle]\narc = 0.4\n";
+    let text = TEXT.replacen("[place.cap_rear]", &format!("{places}[place.cap_rear]"), 1);
+    let expected = [
+        "line 8: place \"nose\" has the name of a point of the contour, which is used",
+        "line 10: place \"cap.end\" has the name of a place of a layer or web, which is used",
+        "line 12: place \"idle\" is not used",
+    ];
+    assert_eq!(remarks(&text), expected);
+    let absent = |text: &str| {
+        let layup = parse(text).expect("a layup");
+        let absent = layup.absent_layers();
+        let absent = absent.iter().map(|(name, line)| format!("{line} {name}"));
+        absent.collect::<Vec<String>>()
+    };
+    assert_eq!(absent(TEXT), [""; 0]);
+    let text = TEXT
+        .replace("value = [0.001, 0.001], hold", "value = [0, 0], hold")
+        .replace("count = 20, round", "count = 0, round");
+    assert_eq!(absent(&text), ["22 patch", "37 ply"]);
 }

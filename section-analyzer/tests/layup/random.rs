@@ -2,7 +2,9 @@
 //! of a layer or web.
 
 use section_analyzer::mesh::generate::blade::naca;
-use section_analyzer::mesh::generate::layup::{Layer, LayupProblem, LayupSection, Web, WebPly};
+use section_analyzer::mesh::generate::layup::{
+    Bound, Fill, Layer, LayupProblem, LayupSection, Spar, Web, WebPly,
+};
 
 use crate::effort;
 use crate::sections::cases;
@@ -71,8 +73,45 @@ fn webs(random: &mut Random, cap: [f64; 2], skin: f64) -> Vec<Web> {
     (0..=random.below(2)).map(web).collect()
 }
 
+/// A spar around the nose inside of all layers, whose web stands behind the caps.
+fn add_spar(section: &mut LayupSection, random: &mut Random, cap: f64, thickness: f64) {
+    let arc = cap - random.range(0.01, 0.04);
+    let arcs = [arc, 1.0 - arc];
+    section.spar = Some(Spar {
+        web: "spar_web".into(),
+        arcs,
+        layers: vec![section.layers.len(), section.layers.len() + 1],
+    });
+    section.layers.extend([
+        layer("spar", thickness, arcs),
+        layer("spar_inner", 0.5 * thickness, arcs),
+    ]);
+}
+
+/// A mass in the nose, a core ahead of the first web, and one of the rest, or some of them.
+fn add_fills(section: &mut LayupSection, random: &mut Random) {
+    let web = Bound::Web(section.webs[0].name.clone());
+    let nose = random.range(0.46, 0.48);
+    let nose = Bound::Line([nose, 1.0 - nose]);
+    let fills = [
+        ("mass", Some(nose), None),
+        ("core", Some(web.clone()), None),
+        ("rest", None, Some(web)),
+    ];
+    for (name, ahead_of, aft_of) in fills {
+        if random.unit() < 0.7 {
+            section.fills.push(Fill {
+                name: name.into(),
+                ahead_of,
+                aft_of,
+            });
+        }
+    }
+}
+
 /// A layup that can be built: skins, caps, panels and a reinforcement of the nose that fill at
-/// most two thirds of the space at the nose, and one or two webs under the caps.
+/// most two thirds of the space at the nose, and one or two webs under the caps; some have a spar
+/// around the nose, some have fills.
 fn valid(seed: u64) -> LayupSection {
     let mut random = Random::new(seed);
     let (contour, chord) = contour(&mut random);
@@ -105,12 +144,23 @@ fn valid(seed: u64) -> LayupSection {
     }
     layers.push(layer("inner", skin * random.range(0.5, 1.5), [0.0, 1.0]));
     let webs = webs(&mut random, cap, skin);
-    LayupSection {
+    let mut section = LayupSection {
         contour,
         webs,
         layers,
+        spar: None,
+        fills: Vec::new(),
         size: None,
+    };
+    // drawn last, so that the layups without them remain
+    if random.unit() < 0.3 {
+        let thickness = skin * random.range(0.5, 2.0);
+        add_spar(&mut section, &mut random, cap[0], thickness);
     }
+    if random.unit() < 0.5 {
+        add_fills(&mut section, &mut random);
+    }
+    section
 }
 
 /// At least 99.5 % of the layups that can be built are meshed, and the area of a cap, which
@@ -151,12 +201,36 @@ fn damage_layer(layer: &mut Layer, random: &mut Random) {
     }
 }
 
+/// Makes all layers from one on a spar with a web at any place.
+fn turn_into_spar(section: &mut LayupSection, first: usize, random: &mut Random) {
+    let arcs = [random.range(0.02, 0.5), random.range(0.5, 0.98)];
+    section.spar = Some(Spar {
+        web: "spar_web".into(),
+        arcs,
+        layers: (first..section.layers.len()).collect(),
+    });
+    for layer in &mut section.layers[first..] {
+        [layer.from, layer.to] = arcs;
+    }
+}
+
+/// Adds a fill with any bounds.
+fn fill_somewhere(section: &mut LayupSection, web: usize, random: &mut Random) {
+    let arcs = [random.range(-0.1, 0.5), random.range(0.5, 1.1)];
+    let bound = |web: &Web| Bound::Web(web.name.clone());
+    section.fills.push(Fill {
+        name: format!("fill{}", section.fills.len()),
+        ahead_of: Some(Bound::Line(arcs)).filter(|_| random.unit() < 0.6),
+        aft_of: section.webs.get(web).map(bound),
+    });
+}
+
 /// Changes a layup at random; the result may be valid.
 fn damage(section: &mut LayupSection, random: &mut Random) {
     let layer = random.below(section.layers.len());
-    let web = random.below(section.webs.len().max(1));
+    let web_number = random.below(section.webs.len().max(1));
     let point = random.below(section.contour.len());
-    match random.below(12) {
+    match random.below(14) {
         0..=4 => damage_layer(&mut section.layers[layer], random),
         5 => {
             let factor = random.range(0.3, 1.5);
@@ -185,11 +259,13 @@ fn damage(section: &mut LayupSection, random: &mut Random) {
                 .flatten()
                 .for_each(|x| *x *= factor);
         }
+        11 => fill_somewhere(section, web_number, random),
+        12 => turn_into_spar(section, layer, random),
         _ => {
             let moved = [random.range(-0.1, 1.1), random.range(-0.1, 1.1)];
             section
                 .webs
-                .get_mut(web)
+                .get_mut(web_number)
                 .into_iter()
                 .for_each(|web| web.arcs = moved);
         }

@@ -94,6 +94,8 @@ fn case(value: &Value) -> Case {
             contour: list(&value["contour"]).iter().map(point).collect(),
             layers,
             webs,
+            spar: None,
+            fills: Vec::new(),
             size: None,
         },
         laws: laws.iter().map(|(name, law)| material(name, law)).collect(),

@@ -159,6 +159,12 @@ impl Card {
         self
     }
 
+    /// The card with further keys.
+    pub(super) fn with_entries(mut self, entries: &[Entry]) -> Self {
+        self.entries.extend_from_slice(entries);
+        self
+    }
+
     fn value(&self) -> Value {
         let mut value = Value {
             line: self.line,
@@ -205,7 +211,7 @@ impl Display for Card {
     }
 }
 
-fn key_text(key: &str) -> String {
+pub(super) fn key_text(key: &str) -> String {
     let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
     if !key.is_empty() && key.chars().all(is_bare) {
         key.to_owned()
@@ -226,7 +232,7 @@ fn quoted(text: &str) -> String {
     quoted + "\""
 }
 
-fn text(value: &Value) -> String {
+pub(super) fn text(value: &Value) -> String {
     match &value.kind {
         Kind::Text(text) => quoted(text),
         Kind::Integer(number) => number.to_string(),

@@ -4,6 +4,7 @@ use beam_dynamics::result::{BoundaryKind, StableSide};
 
 use super::{analyzed, assert_boundaries};
 use crate::periodic::mathieu::bar_of;
+use crate::trim::reference;
 
 // Abramowitz, Stegun, Handbook of Mathematical Functions, 20.2.25: a_1(q), and b_1(q) = a_1(-q), of
 // x'' + (a - 2 q cos 2 tau) x = 0; with t = 2 tau, delta = a/4 and epsilon = -q/2. The next terms are
@@ -42,6 +43,27 @@ fn the_first_tongue_of_the_equation_of_mathieu() {
                 StableSide::Below,
             ),
             (first_tongue(0.4), BoundaryKind::HalfRate, StableSide::Above),
+        ],
+        1e-7,
+    );
+}
+
+// Characteristic values of Mathieu functions at epsilon = 0.5 (`theory-periodic/mathieu.json`), where
+// both multipliers are one.
+#[test]
+fn the_second_tongue_of_the_equation_of_mathieu() {
+    let tables = reference("theory-periodic/mathieu.json")["boundaries"].clone();
+    let is_half = |table: &&serde_json::Value| table["epsilon"].as_f64() == Some(0.5);
+    let table = tables.as_array().unwrap().iter().find(is_half).unwrap();
+    let [lower, upper] = ["b2", "a2"].map(|name| table["boundaries_delta"][name].as_f64().unwrap());
+    let settings = "steps = 128\n[parameters]\ndelta = 0.1\n[stability]\nby = \"Floquet\"\n\
+                    parameter = \"delta\"\nfrom = 0.85\nto = 1.3\nsteps = 4\n";
+    let result = analyzed(&bar_of("delta", 0.5, settings));
+    assert_boundaries(
+        &result,
+        &[
+            (lower, BoundaryKind::Divergence, StableSide::Below),
+            (upper, BoundaryKind::Divergence, StableSide::Above),
         ],
         1e-7,
     );

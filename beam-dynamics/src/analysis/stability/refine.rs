@@ -14,10 +14,15 @@ const MOST: usize = 200;
 /// Times an end may be kept before the interval is halved.
 const KEPT: usize = 4;
 /// Part of the value at the other end below which a function is nearly zero.
-const FLAT: f64 = 1e-6;
+const FLAT: f64 = 1e-4;
+/// Step beyond an argument that may be the root, as a part of the tolerance.
+const PROBE: f64 = 0.1;
 
 /// A root of `f` between the `ends`, each an argument with its value, of opposite signs: the last
-/// argument at which `f` was evaluated, when it moves by less than `tolerance`.
+/// argument at which `f` was evaluated, when the root is known to be nearer than `tolerance`.
+///
+/// Where two arguments are that near, the next one is a little beyond: a function that is nearly zero
+/// on one side of the root moves the secant as little.
 ///
 /// # Errors
 /// The error of `f`.
@@ -29,25 +34,35 @@ pub fn root<E>(
     let [mut a, mut b] = ends;
     let (mut last, mut kept, mut sign) = (f64::INFINITY, 0, 0.0);
     let sizes = [a[1].abs(), b[1].abs()];
-    let is_flat = sizes[0].min(sizes[1]) < FLAT * sizes[0].max(sizes[1]);
-    let mut is_halved = is_flat;
+    let mut is_flat = sizes[0].min(sizes[1]) < FLAT * sizes[0].max(sizes[1]);
+    let (mut is_halved, mut is_probe) = (is_flat, false);
     for _ in 0..MOST {
         let secant = b[0] - b[1] * (b[0] - a[0]) / (b[1] - a[1]);
         let (low, high) = (a[0].min(b[0]), a[0].max(b[0]));
         let is_inside = secant > low && secant < high;
-        let x = if is_inside && !is_halved {
+        let x = if is_probe {
+            // Toward the end of the other sign.
+            let other = if last == a[0] { b[0] } else { a[0] };
+            last + (PROBE * tolerance)
+                .min(0.5 * (high - low))
+                .copysign(other - last)
+        } else if is_inside && !is_halved {
             secant
         } else {
             0.5 * (low + high)
         };
         let value = f(x)?;
-        let is_near = !is_halved && (x - last).abs() <= tolerance;
-        if value == 0.0 || is_near || high - low <= tolerance {
+        let passed = is_probe && value.signum() != sign;
+        if value == 0.0 || passed || high - low <= tolerance {
             return Ok(x);
         }
+        let was_probe = is_probe;
+        is_probe = !is_halved && !is_probe && (x - last).abs() <= tolerance;
         last = x;
         kept = if value.signum() == sign { kept + 1 } else { 0 };
         sign = value.signum();
+        // The secant stays at a side where the function is nearly zero.
+        is_flat |= was_probe;
         is_halved = is_flat || kept >= KEPT;
         // The end of the other sign is kept.
         let (changed, other) = if value.signum() == a[1].signum() {
@@ -104,6 +119,19 @@ mod tests {
             let (x, count) = solved(f, [0.0, 1.0], 1e-8);
             assert!((x - kink).abs() < 3e-8, "{x} {kink}");
             assert!(count < 30, "{count}");
+        }
+    }
+
+    // As before the end of a tongue of parametric resonance: constant, and far below the values beyond
+    // it, but not as nearly zero as round-off.
+    #[test]
+    fn a_small_constant_is_not_taken_for_a_root() {
+        for (place, constant) in [(0.137, 3e-6), (0.5, 1e-5), (0.9001, 1e-4)] {
+            let f = |x: f64| (x - place).max(0.0).sqrt() - constant;
+            let (x, count) = solved(f, [0.0, 1.0], 1e-8);
+            let exact = place + constant * constant;
+            assert!((x - exact).abs() < 2e-8, "{x} {exact}");
+            assert!(count < 100, "{count}");
         }
     }
 

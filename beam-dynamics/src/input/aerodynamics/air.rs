@@ -1,7 +1,7 @@
 //! The air: `[air]`.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{Atmosphere, AtmosphereInput, Wind, WindProblem};
+use rotor_aero::wind::{Atmosphere, AtmosphereInput, MeanWind, Wind, WindProblem};
 use shared_geom::document::schema::ValueKind::{
     Positive, Quantity, Table as OneTable, Tables, Vector, Word,
 };
@@ -11,6 +11,7 @@ use shared_geom::units::Dimension;
 
 use crate::elements::strips::Air;
 use crate::input::drives;
+use crate::input::number::short_number;
 
 mod checks;
 mod condition;
@@ -145,7 +146,40 @@ fn wind(table: &Table<'_>, up: &Vector3<f64>, drives: &drives::Catalog) -> Optio
     if let Some(condition) = condition {
         condition::add(condition, &mut wind, table)?;
     }
+    along_the_boxes(table, &wind)?;
     Some(wind)
+}
+
+/// Notes a constant turn of the mean wind beside turbulence, which is carried along the direction of the
+/// wind and would no longer be along and across the mean wind.
+fn along_the_boxes(table: &Table<'_>, wind: &Wind) -> Option<()> {
+    if wind.boxes.is_empty() {
+        return Some(());
+    }
+    let at = [0.0, 1.7, 23.0].map(|time| wind.mean.at(time));
+    let mut is_sound = true;
+    for (key, of) in [
+        ("turn", (|mean| mean.direction) as fn(&MeanWind) -> f64),
+        ("upflow", |mean| mean.upflow),
+    ] {
+        let [angle, later, last] = at.each_ref().map(of);
+        if angle == 0.0 || angle != later || angle != last {
+            continue;
+        }
+        is_sound = false;
+        let problem = AirProblem::Value {
+            key,
+            found: format!("{} degrees", short_number(angle.to_degrees(), 6)),
+            expected: "zero, since turbulence is carried along \"direction\"".to_owned(),
+            help: if key == "turn" {
+                "turn \"direction\" of [air.wind]: it turns the turbulence, too"
+            } else {
+                "incline \"up\" of [air.wind] against the vertical: it inclines the turbulence, too"
+            },
+        };
+        table.note(&WIND, &problem);
+    }
+    is_sound.then_some(())
 }
 
 /// The content of a table in `table`: `Some(None)` if it is absent, `None` if it is wrong.

@@ -48,6 +48,21 @@ pub enum StripProblem {
         /// The key that it belongs to, as text.
         needed: String,
     },
+    /// A rotor in ground effect at or below the ground.
+    #[error(
+        "inflow \"{name}\" has its ground at {} m along the vertical, and the center of the rotor is at \
+         {} m: expected the ground below it",
+        short_number(*.ground, 6),
+        short_number(*.center, 6)
+    )]
+    BelowGround {
+        /// Name of the inflow.
+        name: String,
+        /// Coordinate of the ground along the vertical \[m\].
+        ground: f64,
+        /// Coordinate of the center of the rotor \[m\].
+        center: f64,
+    },
     /// Strips without a blade in an inflow that does not have the number of blades.
     #[error(
         "inflow \"{name}\" of strip \"{user}\" has no \"blades\", expected their number: the momentum of \
@@ -177,6 +192,10 @@ impl Explain for StripProblem {
             }
             Self::Blades { .. } => Some(
                 "add \"blades\" to the inflow, or use a model of the disk as its \"kind\"".into(),
+            ),
+            Self::BelowGround { .. } => Some(
+                "\"ground\" is a coordinate, not a height: below a hub at 0 m it is negative"
+                    .to_owned(),
             ),
             Self::InflowKey { key, .. } => Some(format!("remove \"{key}\", or change that")),
             Self::EffectiveRadius { .. } => {

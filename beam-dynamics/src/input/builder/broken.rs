@@ -36,9 +36,10 @@ impl ModelBuilder {
 
     /// Whether a name may be one of a part of a blade or a rotor that could not be read.
     pub fn is_of_broken_part(&self, name: &str) -> bool {
-        let blade = name.split_once('/').map(|parts| parts.0);
+        let mut blades = self.broken_blades.iter();
         let mut rotors = self.broken_rotors.iter();
-        blade.is_some_and(|blade| self.broken_blades.contains(blade))
+        let is_of = |blade: &String| name.strip_prefix(blade.as_str());
+        blades.any(|blade| is_of(blade).is_some_and(|rest| rest.starts_with('/')))
             || rotors.any(|rotor| {
                 let rest = name.strip_prefix(rotor.as_str());
                 rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['/', ' ']))

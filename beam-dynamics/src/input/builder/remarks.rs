@@ -5,6 +5,7 @@ use super::{ElectrodeCard, ModelBuilder};
 use crate::elements::circuits::Circuit;
 use crate::elements::{Instant, Signal};
 use crate::input::beam_properties::BeamProperties;
+use crate::input::driven_joint::{self, DrivenJoint};
 use crate::input::formulation::Inertia;
 use crate::input::heat;
 use crate::input::number::short_number;
@@ -21,8 +22,13 @@ impl ModelBuilder {
         self.remarks.extend(remarks);
     }
 
-    /// Remarks on the files that were read.
-    pub fn remarks(&self, of_buckling: bool) -> Vec<String> {
+    /// Notes a driven joint.
+    pub fn note_driven(&mut self, joint: DrivenJoint) {
+        self.driven.push(joint);
+    }
+
+    /// Remarks on the files that were read, for a file with critical loads and with modes.
+    pub fn remarks(&self, of_buckling: bool, of_modes: bool) -> Vec<String> {
         let heat = heat::reported(self.beams.iter().map(|beam| beam.properties.heat()));
         let buckling = of_buckling.then(|| self.properties.of_buckling());
         let plain = self.beams.iter().map(|beam| &beam.properties);
@@ -30,7 +36,19 @@ impl ModelBuilder {
         let stiffness = heat::unused_stiffness(plain.map(BeamProperties::heat));
         let electrodes = self.electrode_remarks();
         let masses = self.jumping_masses();
-        let remarks = [self.remarks.clone(), masses, heat, stiffness, electrodes];
+        let driven = if of_modes {
+            driven_joint::remarks(&self.driven)
+        } else {
+            Vec::new()
+        };
+        let remarks = [
+            self.remarks.clone(),
+            driven,
+            masses,
+            heat,
+            stiffness,
+            electrodes,
+        ];
         [remarks.concat(), buckling.unwrap_or_default()].concat()
     }
 

@@ -15,6 +15,7 @@ use super::problem::JointProblem;
 use crate::elements::Signal;
 use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
 use crate::input::builder::ModelBuilder;
+use crate::input::driven_joint::DrivenJoint;
 use crate::input::drives;
 use crate::input::ends;
 use crate::input::frames::Frame;
@@ -54,6 +55,43 @@ enum Holds {
     Velocity([Option<Signal>; 6]),
     Spin(Turning),
     Total([Freedom; 6]),
+}
+
+impl Holds {
+    /// The joint `name`, if it is driven in time.
+    fn driven(&self, name: &str) -> Option<DrivenJoint> {
+        fn along(freedom: &Freedom) -> Option<&Signal> {
+            match freedom {
+                Freedom::Driven(signal) => Some(signal),
+                Freedom::Free | Freedom::Locked => None,
+            }
+        }
+        let mut positions: Vec<&Signal> = Vec::new();
+        let mut speeds = Vec::new();
+        match self {
+            Self::Clamp | Self::Spherical | Self::Universal | Self::InLine => {}
+            Self::InPlane(signal) | Self::Distance(signal) => positions.extend(signal),
+            Self::Velocity(signals) => speeds.extend(signals.iter().flatten()),
+            Self::Prismatic(freedom) | Self::Cylindrical(freedom, _) => {
+                positions.extend(along(freedom));
+            }
+            Self::Total(freedoms) => positions.extend(freedoms.iter().filter_map(along)),
+            Self::Revolute(_) | Self::PlaneRotation(_) | Self::Spin(_) => {}
+        }
+        let turning = match self {
+            Self::Revolute(turning)
+            | Self::Cylindrical(_, turning)
+            | Self::PlaneRotation(turning) => turning.as_ref(),
+            Self::Spin(turning) => Some(turning),
+            _ => None,
+        };
+        match turning {
+            Some(Turning::Angle(angle)) => positions.push(angle),
+            Some(Turning::Speed(speed)) => speeds.push(speed),
+            None => {}
+        }
+        DrivenJoint::new(name, &positions, &speeds)
+    }
 }
 
 /// Points of a card; `None` if not given.
@@ -104,6 +142,9 @@ pub(in crate::input) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
             continue;
         };
         let holds = holds(kind, table, builder);
+        if let Some(joint) = holds.as_ref().and_then(|holds| holds.driven(&label)) {
+            builder.note_driven(joint);
+        }
         let frame = builder.frames().of(table);
         let points = points(kind, table).zip(frame);
         let points = points.map(|(points, frame)| points.in_frame(&frame));

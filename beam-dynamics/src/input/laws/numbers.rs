@@ -7,6 +7,7 @@ use shared_geom::units::Dimension;
 
 use super::Components;
 use super::problem::LawProblem;
+use crate::input::too_stiff;
 
 /// Part of the largest entry below which a difference is a rounding of the input.
 const ROUNDING: f64 = 1e-9;
@@ -103,6 +104,9 @@ pub(super) fn matrix<const N: usize>(
             return None;
         }
         let diagonal = each_positive(table, key, &diagonal)?;
+        if !too_stiff::is_resolved(table, key, diagonal.iter().copied()) {
+            return None;
+        }
         return Some(SMatrix::from_diagonal(&diagonal));
     }
     let rows = table.rows(key, N, N)?;
@@ -118,6 +122,9 @@ pub(super) fn matrix<const N: usize>(
             found: [rows[row][column], rows[column][row]],
         };
         table.note(key, &problem);
+        return None;
+    }
+    if !too_stiff::is_resolved(table, key, matrix.iter().copied()) {
         return None;
     }
     let least = least(&matrix);

@@ -16,7 +16,7 @@ use shared_geom::units::Dimension;
 
 use super::problem::PerformanceProblem;
 use super::qprop;
-use crate::case::{MachineKind, linear_between};
+use crate::case::MachineKind;
 use crate::input::aerodynamics::Airfoils;
 
 keys! {
@@ -58,6 +58,8 @@ pub(super) const KEYS: [&str; 7] = [
 pub(super) struct FileBlade {
     /// Stations with the signs of the machine; their radius begins at the root if the file's does.
     pub stations: Vec<Station<Section>>,
+    /// Twist by the distance from the shaft, in place of the one of the stations \[m\], \[rad\].
+    pub twist: Option<Vec<[f64; 2]>>,
     /// Whether radii begin at the root.
     pub from_root: bool,
     /// Number of blades, if known.
@@ -96,15 +98,14 @@ pub(super) fn read(
         Station {
             radius: station.span,
             chord: station.chord,
-            twist: twist
-                .as_ref()
-                .map_or(own, |rows| linear_between(rows, station.span)),
+            twist: own,
             prebend,
             section,
         }
     });
     Some(FileBlade {
         stations: stations.collect(),
+        twist,
         from_root,
         blades: blade.blades,
         hub_radius: blade.hub_radius,

@@ -125,6 +125,12 @@ pub enum PerformanceProblem {
         /// The key of the quantity that follows.
         other: &'static str,
     },
+    /// A negative speed of rotation.
+    #[error("a point has a rotor speed of {} rpm, expected zero or more", shown(*.rpm))]
+    Backward {
+        /// The speed of rotation [rpm].
+        rpm: f64,
+    },
     /// Too many points.
     #[error("the sweep has {found} points, expected at most {most}")]
     TooMany {
@@ -249,6 +255,10 @@ impl Explain for PerformanceProblem {
                  follows"
             }
             Self::NotPositive { .. } => "begin above zero, or give \"speed\" and \"rotor_speed\"",
+            Self::Backward { .. } => {
+                "thrust and torque are those of a rotor that turns forward; descent has a negative \
+                 \"speed\""
+            }
             Self::TooMany { .. } => "use fewer steps, or several sweeps",
             Self::Lengths { .. } => "give one value for all points, or one for each",
             Self::NoSuchPoint { .. } => "loads are reported at computed points: use one of them",

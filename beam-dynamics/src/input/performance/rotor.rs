@@ -13,7 +13,7 @@ use super::blade_file::{self, FileBlade};
 use super::momentum::Momentum;
 use super::problem::PerformanceProblem;
 use super::stations;
-use crate::case::MachineKind;
+use crate::case::{MachineKind, linear_between};
 use crate::input::aerodynamics::Airfoils;
 
 keys! {
@@ -62,6 +62,12 @@ pub(super) const WORDS: [&str; 3] = ["turbine", "propeller", "helicopter"];
 /// Azimuths of a rotor in oblique or sheared flow.
 const SECTORS_OBLIQUE: usize = 8;
 
+/// Smallest angle of precone at which the blades are along the shaft rather than across it \[rad\].
+const STEEPEST: f64 = 80.0_f64.to_radians();
+
+/// Least number of azimuths by which the mean of a turn is a mean.
+const LEAST_SECTORS: usize = 3;
+
 /// Part of a radius by which the digits of a file may differ.
 const ROUNDING: f64 = 1e-9;
 
@@ -99,8 +105,38 @@ pub(super) fn read(
     let [hub_radius, tip_radius] = radii(table, ends, &mut blade)?;
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
+    let (precone, hub_height) = (precone?, hub_height?);
     let is_axial = tilt == 0.0 && yaw == 0.0 && shear == 0.0;
     let usual = if is_axial { 1 } else { SECTORS_OBLIQUE };
+    let sectors = sectors?.unwrap_or(usual);
+    let is_high = shear == 0.0 || hub_height > tip_radius;
+    for (is_wrong, key, expected) in [
+        (
+            precone.abs() >= STEEPEST,
+            PRECONE.name(),
+            "less than 80 degrees to either side of the plane of rotation",
+        ),
+        (
+            !is_high && hub_height == 0.0,
+            SHEAR.name(),
+            "\"hub_height\" beside it: the shear is about this height",
+        ),
+        (
+            !is_high && hub_height > 0.0,
+            HUB_HEIGHT.name(),
+            "more than the radius of the tip, since the wind has shear above the ground",
+        ),
+        (
+            !is_axial && sectors < LEAST_SECTORS,
+            SECTORS.name(),
+            "at least 3 azimuths, since the flow has yaw, tilt or shear",
+        ),
+    ] {
+        if is_wrong {
+            table.wrong(key, expected);
+            return None;
+        }
+    }
     Some(Rotor {
         machine,
         shear,
@@ -113,15 +149,15 @@ pub(super) fn read(
             blades: count?,
             hub_radius,
             tip_radius,
-            precone: precone?,
+            precone,
             tilt,
             yaw,
-            hub_height: hub_height?,
+            hub_height,
             stations: blade.stations,
             options: momentum.options,
             annulus_radius: momentum.radius,
             skewed_wake: momentum.skewed_wake,
-            sectors: sectors?.unwrap_or(usual),
+            sectors,
         },
     })
 }
@@ -149,6 +185,7 @@ fn blade(
             }
             return Some(FileBlade {
                 stations: stations::read(table, STATIONS.name(), airfoils)?,
+                twist: None,
                 from_root: false,
                 blades: None,
                 hub_radius: None,
@@ -179,6 +216,11 @@ fn radii(
         };
         let move_out = |station: &mut Station<Section>| station.radius += hub;
         blade.stations.iter_mut().for_each(move_out);
+    }
+    if let Some(rows) = &blade.twist {
+        for station in &mut blade.stations {
+            station.twist = linear_between(rows, station.radius);
+        }
     }
     let first = blade.stations.first()?.radius;
     let last = blade.stations.last()?.radius;

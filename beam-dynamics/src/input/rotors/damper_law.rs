@@ -47,4 +47,14 @@ impl DamperLaw {
             time: phase / frequency,
         }
     }
+
+    /// The largest stiffness or damping of its springs and dampers, other than of curves
+    /// \[N m or N/m, and times s\].
+    pub fn stiffest(&self) -> f64 {
+        match self {
+            Self::Linear([stiffness, damping]) => stiffness.max(*damping),
+            Self::Curve(_) => 0.0,
+            Self::Relaxing { rest, series, .. } => rest.max(*series),
+        }
+    }
 }

@@ -10,6 +10,10 @@ use super::damper_keys::{
 };
 use super::damper_law::DamperLaw;
 use super::problem::RotorProblem;
+use crate::input::too_stiff;
+
+/// Distance of two points as a part of that from the center of the hub below which they are the same.
+const SAME_POINT: f64 = 1e-9;
 
 /// Reads the damper of a hinge; `Some(None)` without it.
 pub(super) fn of_hinge(table: &Table<'_>) -> Option<Option<DamperLaw>> {
@@ -45,6 +49,11 @@ pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>
             linear(table, name)
         };
         let (hub, blade) = (hub?, blade?);
+        if (hub - blade).norm() <= SAME_POINT * hub.norm().max(blade.norm()) {
+            let point = hub.into();
+            table.note(&BLADE_END, &RotorProblem::DamperEnds { point });
+            return None;
+        }
         Some(LagDamper {
             ends: Ends { hub, blade },
             on_root: on?.map(|index| index == 1),
@@ -56,6 +65,11 @@ pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>
 fn linear(table: &Table<'_>, name: &str) -> Option<DamperLaw> {
     let (stiffness, damping) = (table.get(&STIFFNESS), table.get(&DAMPING));
     let law = [stiffness?, damping?];
+    let keys = [STIFFNESS.name(), DAMPING.name()].into_iter().zip(law);
+    let mut keys = keys.map(|(key, value)| too_stiff::is_resolved(table, key, [value]));
+    if !keys.all(|is_resolved| is_resolved) {
+        return None;
+    }
     if law == [0.0, 0.0] {
         let (name, key, needed) = (name.to_owned(), LAG_DAMPER.name(), DAMPING.name());
         table.note("", &RotorProblem::Idle { name, key, needed });
@@ -71,10 +85,10 @@ fn is_elastomer(table: &Table<'_>) -> bool {
 
 fn elastomer(
     table: &Table<'_>,
-    stiffness: &Key<f64>,
+    stiffness_key: &Key<f64>,
     rest: &Key<Option<f64>>,
 ) -> Option<DamperLaw> {
-    let (stiffness, loss_factor) = (table.get(stiffness), table.get(&LOSS_FACTOR));
+    let (stiffness, loss_factor) = (table.get(stiffness_key), table.get(&LOSS_FACTOR));
     let (frequency, at_rest) = (table.get(&FREQUENCY), table.get(rest));
     let (stiffness, at_rest) = (stiffness?, at_rest?);
     if at_rest.is_some_and(|at_rest| at_rest >= stiffness) {
@@ -82,11 +96,9 @@ fn elastomer(
         return None;
     }
     let frequency = frequency? * TAU;
-    Some(DamperLaw::elastomer(
-        [stiffness, loss_factor?],
-        frequency,
-        at_rest,
-    ))
+    let law = DamperLaw::elastomer([stiffness, loss_factor?], frequency, at_rest);
+    let values = [stiffness, law.stiffest()];
+    too_stiff::is_resolved(table, stiffness_key.name(), values).then_some(law)
 }
 
 /// A curve of a damper.

@@ -244,9 +244,18 @@ pub enum RotorProblem {
     /// Rotors in polar copies.
     #[error("[[repeat]] has a rotor, expected [[rotor]] outside of it")]
     Repeated,
-    /// A rotor in an included file, or as a value.
-    #[error("the rotors cannot be replaced in the text of the file")]
-    NotInText,
+    /// A damper between two points that are one.
+    #[error(
+        "\"hub\" and \"blade\" of [rotor.lag_damper] are the same point, [{}, {}, {}] m, expected the two \
+         ends of the damper",
+        short_number(.point[0], 6),
+        short_number(.point[1], 6),
+        short_number(.point[2], 6)
+    )]
+    DamperEnds {
+        /// The point from the center of the hub \[m\].
+        point: [f64; 3],
+    },
 }
 
 impl Explain for RotorProblem {
@@ -297,8 +306,10 @@ impl Explain for RotorProblem {
                 "steady rotation needs the axis and the center of the rotor in [hub], and one rotor; \
                  compute several in [transient] with start = \"given\""
             }
-            Self::NotInText => {
-                "write [[rotor]] as a table of the file itself, not of an included one"
+            Self::DamperEnds { .. } => {
+                "both are positions from the center of the hub along the undeformed blade: \"hub\" moves \
+                 with the hub and \"blade\" with the blade, and the damper acts along the line between \
+                 them"
             }
             _ => return None,
         };

@@ -51,6 +51,7 @@ pub(super) fn find(
         let axis = inflow.axis.unwrap_or(rotation.axis);
         (hub, start) = (Some(node), [builder.nodes()[node].position, axis]);
     }
+    above_ground(inflow.as_ref(), &start[0], table, builder)?;
     let shaft = match hub.map(|node| &builder.nodes()[node]) {
         None => Shaft {
             center: start[0],
@@ -90,6 +91,45 @@ fn named(name: &str, table: &Table<'_>, builder: &ModelBuilder, user: String) ->
         table.note(&INFLOW_NAME, &problem);
     }
     found.cloned()
+}
+
+/// Notes a rotor in ground effect whose center \[m\] is not above the ground.
+fn above_ground(
+    inflow: Option<&Inflow>,
+    center: &Vector3<f64>,
+    table: &Table<'_>,
+    builder: &ModelBuilder,
+) -> Option<()> {
+    let Some(Inflow {
+        name,
+        kind:
+            InflowKind::Disk(DiskDesign {
+                ground: Some(ground),
+                ..
+            }),
+        ..
+    }) = inflow
+    else {
+        return Some(());
+    };
+    let center = builder
+        .aerodynamics()
+        .air
+        .as_ref()?
+        .wind()
+        .frame
+        .up()
+        .dot(center);
+    if *ground < center {
+        return Some(());
+    }
+    let problem = StripProblem::BelowGround {
+        name: name.clone(),
+        ground: *ground,
+        center,
+    };
+    table.note(&INFLOW_NAME, &problem);
+    None
 }
 
 impl Rotor {

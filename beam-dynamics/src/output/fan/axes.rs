@@ -19,7 +19,7 @@ const ABOVE: f64 = 34.0;
 const BELOW: f64 = 130.0;
 
 /// Axes that contain all points, below the legend and with space for the names on the right:
-/// speeds \[rpm\] and frequencies in the unit of the plot.
+/// speeds and frequencies in the units of the plot.
 pub(super) fn axes(plot: &FanPlot) -> Axes {
     let name = Label::new(SMALL);
     let names = plot

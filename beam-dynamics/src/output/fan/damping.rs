@@ -2,7 +2,7 @@
 
 use shared_geom::figure::{Axes, Drawing, range};
 
-use super::{FanPlot, SPEED, curves};
+use super::{FanPlot, curves};
 
 /// Distance to the frequencies above, and to the lower edge \[figure pixels\].
 const GAPS: [f64; 2] = [66.0, 130.0];
@@ -22,5 +22,5 @@ pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, above: &Axes) {
             curve.stroke().draw(drawing, &run);
         }
     }
-    axes.draw(drawing, Some(SPEED), "damping ratio [%]");
+    axes.draw(drawing, Some(&plot.speed_title()), "damping ratio [%]");
 }

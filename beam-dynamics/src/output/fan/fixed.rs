@@ -3,7 +3,6 @@
 use shared_geom::figure::CATEGORIES;
 
 use super::{COLORS, Curve};
-use crate::output::text::RPM;
 use crate::result::{FixedLine, FixedTable, FrequencyTable, Whirl};
 
 /// Pattern of a line by its waves around the rotor: none, one forward, one backward, more.
@@ -67,6 +66,7 @@ fn curve(line: &FixedLine, index: usize, table: &FrequencyTable) -> Curve {
         let frequency = point.as_ref()?.frequency();
         table.style.unit.value(frequency, *speed)
     });
+    let zeros = line.zeros(&table.speeds);
     let last = points().rev().flatten().next().map(|point| point.kind);
     let now = last.filter(|kind| *kind != line.kind);
     Curve {
@@ -76,7 +76,7 @@ fn curve(line: &FixedLine, index: usize, table: &FrequencyTable) -> Curve {
         },
         kinds: points().map(|point| Some(point.as_ref()?.kind)).collect(),
         frequencies: values.collect(),
-        zeros: line.zeros(&table.speeds).iter().map(|s| s * RPM).collect(),
+        zeros: zeros.iter().map(|s| table.style.unit.speed(*s)).collect(),
         color: CATEGORIES[index % COLORS],
         damping: points()
             .map(|point| Some(100.0 * point.as_ref()?.damping_ratio))

@@ -46,9 +46,10 @@ fn multiple((axes, unit): (&Axes, FrequencyUnit), number: u32, part: f64) -> Opt
     let [low, high] = axes.x;
     let highest = axes.y[1];
     let number = f64::from(number);
-    // The line over the speed in rpm; per revolution it is horizontal.
+    // The line over the speed; per revolution it is horizontal.
     let slope = match unit {
         FrequencyUnit::PerRevolution => 0.0,
+        FrequencyUnit::RadiansPerSecond => number,
         unit => unit.value(number / 60.0, 0.0)?,
     };
     let exit = match slope > 0.0 {

@@ -65,8 +65,10 @@ pub fn shaped() -> (Model, FrequencyTable) {
             mode("lag 1", ModeKind::Lag, 22.25, 0.02, second),
         ],
         equilibria: vec![report.clone(), report],
+        decaying: Vec::new(),
         remarks: Vec::new(),
         style: Default::default(),
+        is_single_blade: false,
     };
     (model, table)
 }

@@ -11,20 +11,12 @@ fn a_blade_of_hawc2_needs_its_twist_and_profiles() {
     for file in ["hawc2_ae.dat", "hawc2_pc.dat"] {
         folder.write(file, &support::text(&format!("aero/iea15/{file}")));
     }
-    let blade = support::text("aero/iea15/AeroDyn15_blade.dat");
-    let rows = blade.lines().skip(6).filter(|line| !line.trim().is_empty());
-    let rows = rows.map(|line| {
-        line.split_whitespace()
-            .map(str::to_owned)
-            .collect::<Vec<_>>()
-    });
-    let (spans, twists): (Vec<_>, Vec<_>) =
-        rows.map(|row| (row[0].clone(), row[4].clone())).unzip();
+    let (radii, twists) = twist_of_aerodyn();
     let text = format!(
         "units = \"SI\"\n[rotor]\nblades = 3\nhub_radius = 3.97\nprecone = 4\ntilt = 6\n\
          file = \"hawc2_ae.dat\"\nairfoil_file = \"hawc2_pc.dat\"\ntwist_radii = [{}]\n\
          twist = [{}]\n[[schedule]]\nspeed = 8\nrotor_speed = 5.5\n",
-        spans.join(", "),
+        radii.join(", "),
         twists.join(", ")
     );
     folder.write("a.rotor.toml", &text);
@@ -42,6 +34,46 @@ fn a_blade_of_hawc2_needs_its_twist_and_profiles() {
     let expected = "all stations of \"hawc2_ae.dat\" have no airfoil, expected an airfoil for each \
                     station\n  help: name the profile coefficients as airfoil_file";
     assert!(run.code == 2 && run.err.contains(expected), "{}", run.err);
+}
+
+/// Distances from the shaft \[m\] and twist \[deg\] of the blade of IEA 15 MW.
+fn twist_of_aerodyn() -> (Vec<String>, Vec<String>) {
+    let blade = support::text("aero/iea15/AeroDyn15_blade.dat");
+    let rows = blade.lines().skip(6).filter(|line| !line.trim().is_empty());
+    let row = |line: &str| {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let span: f64 = words[0].parse().unwrap();
+        ((span + 3.97).to_string(), words[4].to_owned())
+    };
+    rows.map(row).unzip()
+}
+
+/// A blade whose spans begin at its root, and the same with its own twist by the distance from the shaft:
+/// the same rotor, to round-off.
+#[test]
+fn twist_by_radii_is_the_twist_of_the_file() {
+    let folder = Folder::new();
+    folder.write(
+        "blade.dat",
+        &support::text("aero/iea15/AeroDyn15_blade.dat"),
+    );
+    let (radii, twists) = twist_of_aerodyn();
+    let keys = format!(
+        "twist_radii = [{}]\ntwist = [{}]\n",
+        radii.join(", "),
+        twists.join(", ")
+    );
+    let power = ["", keys.as_str()].map(|keys| {
+        let text = format!(
+            "units = \"SI\"\n[rotor]\nblades = 3\nhub_radius = 3.97\nfile = \"blade.dat\"\n\
+             airfoil = \"naca0012\"\n{keys}[[schedule]]\nspeed = 8\nrotor_speed = 5.5\n"
+        );
+        folder.write("a.rotor.toml", &text);
+        let run = folder.run(&["performance", "a.rotor.toml", "--no-figures"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        Rows::of(&folder, "results/a.performance.csv", "schedule 1").column("CP [-]")[0]
+    });
+    assert!((power[1] / power[0] - 1.0).abs() < 1e-9, "{power:?}");
 }
 
 /// A propeller of QPROP with the polar of its file, against the output of QPROP 1.22 at 5 m/s and

@@ -122,3 +122,36 @@ fn all_problems_of_a_file_are_reported() {
         0
     );
 }
+
+/// Keys that would have no effect, or one that no rotor has.
+#[test]
+fn rotors_that_cannot_be_are_refused() {
+    let with = |keys: &str| {
+        format!(
+            "{}{SWEEP}",
+            ROTOR.replace("hub_radius", &format!("{keys}\nhub_radius"))
+        )
+    };
+    refused(&[
+        (
+            with("precone = 95"),
+            "\"precone\" is 95, expected less than 80 degrees",
+        ),
+        (
+            with("shear = 0.2"),
+            "\"shear\" is 0.2, expected \"hub_height\" beside it",
+        ),
+        (
+            with("shear = 0.2\nhub_height = 9"),
+            "\"hub_height\" is 9, expected more than the radius of the tip",
+        ),
+        (
+            with("shear = 0.2\nhub_height = 20\nsectors = 1"),
+            "\"sectors\" is 1, expected at least 3 azimuths",
+        ),
+        (
+            format!("{ROTOR}[[sweep]]\nspeed = 8\nrotor_speed = [12, -13]\n"),
+            "a point has a rotor speed of -13 rpm, expected zero or more",
+        ),
+    ]);
+}

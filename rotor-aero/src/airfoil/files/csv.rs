@@ -170,12 +170,13 @@ fn numbers(
 ) -> Option<Vec<(Kind, f64)>> {
     let mut numbers = Vec::new();
     let mut is_sound = true;
-    for (kind, cell) in header.kinds.iter().zip(cells) {
+    let columns = header.kinds.iter().zip(&header.factors);
+    for ((kind, factor), cell) in columns.zip(cells) {
         if matches!(kind, Kind::Name | Kind::Other) || cell.is_empty() {
             continue;
         }
         match notes.number(line, kind.title(), cell) {
-            Some(value) => numbers.push((*kind, value)),
+            Some(value) => numbers.push((*kind, value * factor)),
             None => is_sound = false,
         }
     }

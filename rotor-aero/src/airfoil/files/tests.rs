@@ -372,6 +372,24 @@ fn windio_2_is_in_deg_and_has_configurations() {
 }
 
 #[test]
+fn columns_have_their_units() {
+    let header = "thickness [%],Re [1e6],alpha [deg],cl [-],cd\n";
+    let rows: String = [-180, 0, 180]
+        .map(|alpha| format!("21,3,{alpha},0,0.01\n"))
+        .concat();
+    let path = Path::new("a.csv");
+    let reading = parse(&format!("{header}{rows}"), path, &Options::default()).unwrap();
+    let data = &reading.airfoils[0].data;
+    assert!((data.thickness.unwrap() - 0.21).abs() < 1e-15);
+    assert_eq!(data.lift[0].reynolds, Some(3e6));
+    let shown = problems(&format!("{}{rows}", header.replace("[-]", "[N]")), "a.csv");
+    has(
+        &shown,
+        &["a.csv:1: unit of column \"cl\"", "\"n\"", "a factor"],
+    );
+}
+
+#[test]
 fn all_problems_of_a_file_are_reported_at_once() {
     let csv = "alpha [deg],cl,cd\n-200,0,0.1\n0,x,0.1\n5,1,0.1\n4,1,0.1\n5,2,0.1\n6,nan\n";
     let shown = problems(csv, "a.csv");

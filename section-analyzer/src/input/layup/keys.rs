@@ -15,6 +15,7 @@ use super::super::materials::MATERIALS;
 use super::super::regions::Angle;
 use super::TOWARDS;
 use super::course::{COURSE, Course};
+use super::fills::FillBound;
 use super::place::{BOTH, BothSides, PLACE, Place};
 use super::taper::Taper;
 
@@ -33,6 +34,8 @@ keys! {
     pub(super) PLACES: NestedByName = "place", [NamedTables(&PLACE)], optional, "";
     /// The webs.
     pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
+    /// Materials that fill the spaces between shell and webs.
+    pub(super) FILLS: NestedList = "fill", [Tables(&FILL)], optional, "";
     /// The reference line of the blade, on which the origins of the sections are; its length is the
     /// length of the blade.
     pub(super) LINE: Nested = "line", [OneTable(&LINE_TABLE)], optional, "";
@@ -144,6 +147,7 @@ const LAYER: TableSchema = TableSchema {
         FROM.schema,
         TO.schema,
         TAPER.schema,
+        WEB_OF_LAYER.schema,
     ],
     families: &[
         Family {
@@ -199,6 +203,9 @@ keys! {
     /// Where it ends.
     pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
+    /// The web without plies of its own along which it continues, with mitres at both ends: a spar
+    /// around the nose. `from` and `to` are then the places of the web, if not given.
+    pub(super) WEB_OF_LAYER: Option<String> = "web", [Text], optional, "\"rear\"";
     /// Length over which its thickness drops to zero at its ends, or its thickness over this
     /// length; about the thickness without it.
     pub(super) TAPER: Option<Taper> = "taper", [Positive(Dimension::LENGTH), Text], optional,
@@ -238,6 +245,24 @@ keys! {
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
     /// Its plies, from the leading edge aft; each is a layer without places.
     pub(super) PLIES: NestedList = "plies", [Tables(&PLY)] as "a list of plies", required, "";
+}
+
+keys! {
+    /// A material that fills the spaces between the inner faces of shell and webs, of those in its
+    /// bounds the ones that the fills before it leave.
+    FILL = "[[fill]]";
+    /// The web, or the plane, behind it; without it it goes to the trailing edge.
+    pub(super) AHEAD_OF: Option<FillBound> = "ahead_of", [Text, OneTable(&BOTH)], optional,
+        "{ x = 0.03 }";
+    /// The web, or the plane, ahead of it; without it it goes to the nose.
+    pub(super) AFT_OF: Option<FillBound> = "aft_of", [Text, OneTable(&BOTH)], optional, "\"rear\"";
+    /// Angle of the fiber from x toward the second axis of the material.
+    pub(super) FILL_FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
+        or "0" = Angle(0.0), "45";
+    /// Angle of the second axis of the material from y, which points to the leading edge, toward z.
+    pub(super) PLANE_ANGLE: Angle = "plane_angle", [Quantity(Dimension::ANGLE)],
+        or "0" = Angle(0.0), "90";
+    with NAME.schema, MATERIAL.schema, RANGE.schema;
 }
 
 /// A ply of a web.

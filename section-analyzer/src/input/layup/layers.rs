@@ -1,14 +1,16 @@
 //! Layers and webs as written.
 
-use shared_geom::document::Table;
+use shared_geom::document::{Key, Table};
 use shared_geom::units::Dimension;
 
 use super::course::Course;
+use super::fills::WrittenFill;
 use super::keys::{
-    ANGLES, COUNT, FIBER_ANGLE, FROM, MATERIAL, NAME, PLANE_OF_WEB, PLIES, PRESSURE, RANGE, ROUND,
-    SUCTION, TAPER, THICKNESS, TO, TOWARD, WEB_NAME,
+    AFT_OF, AHEAD_OF, ANGLES, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
+    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, RANGE, ROUND, SUCTION, TAPER, THICKNESS, TO,
+    TOWARD, WEB_NAME, WEB_OF_LAYER,
 };
-use super::place::Place;
+use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
 use super::{Toward, WrittenLayer, WrittenWeb};
 use crate::input::materials::WrittenMaterial;
@@ -41,7 +43,15 @@ impl Known {
         let (taper, toward) = (table.get(&TAPER), table.get(&TOWARD));
         let (material, stack) = (self.material(table), self.stack(table, true));
         let angle = table.get(&FIBER_ANGLE);
-        let (from, to) = (places.0?, places.1?);
+        let web = table.get(&WEB_OF_LAYER)?;
+        let line = table.line_of(&WEB_OF_LAYER);
+        let of_web = |key: &Key<Place>, given: Place, side: &str| match &web {
+            Some(web) if !table.has(key) => Place::of_name(format!("{web}.{side}"), line),
+            _ => given,
+        };
+        let from = of_web(&FROM, places.0?, SIDES[0]);
+        let to = of_web(&TO, places.1?, SIDES[1]);
+        let web = web.map(|web| (web, line));
         let layer = |name: String, thickness: Course, fiber_angle: f64| {
             Some(WrittenLayer {
                 name,
@@ -52,6 +62,7 @@ impl Known {
                 from: from.clone(),
                 to: to.clone(),
                 taper: taper?,
+                web: web.clone(),
                 line: table.line(),
             })
         };
@@ -85,6 +96,7 @@ impl Known {
             from: Place::arc(0.0),
             to: Place::arc(1.0),
             taper: None,
+            web: None,
             line: table.line(),
         })
     }
@@ -108,24 +120,30 @@ impl Known {
             }
         };
         let plies = table.each(&PLIES, |ply| self.ply(ply));
-        let range = if table.has(&RANGE) {
-            table.quantities(RANGE.name(), Dimension::NUMBER)
-        } else {
-            Some(vec![0.0, 1.0])
-        };
         let name = name?.0;
-        let range = match range?[..] {
-            [from, to] if from >= 0.0 && from < to && to <= 1.0 => [from, to],
-            _ => {
-                table.note(&RANGE, &LayupFileProblem::Range { web: name });
-                return None;
-            }
-        };
+        let range = range(table, &name);
         Some(WrittenWeb {
             name,
             places: places?,
-            range,
+            range: range?,
             plies: plies?,
+            line: table.line(),
+        })
+    }
+
+    /// A fill; notes problems.
+    pub fn fill(&self, table: &Table<'_>) -> Option<WrittenFill> {
+        let (name, material) = (table.get(&NAME), self.material(table));
+        let bounds = (table.get(&AHEAD_OF), table.get(&AFT_OF));
+        let angles = (table.get(&FILL_FIBER_ANGLE), table.get(&PLANE_ANGLE));
+        let name = name?.0;
+        Some(WrittenFill {
+            range: range(table, &name)?,
+            name,
+            material: material?,
+            fiber_angle: angles.0?.0,
+            plane_angle: angles.1?.0,
+            bounds: [bounds.0?, bounds.1?],
             line: table.line(),
         })
     }
@@ -198,6 +216,21 @@ impl Known {
                 table.wrong(&ANGLES, "one angle or more");
                 None
             }
+        }
+    }
+}
+
+/// First and last position along the span of a web or fill; notes problems.
+fn range(table: &Table<'_>, name: &str) -> Option<[f64; 2]> {
+    if !table.has(&RANGE) {
+        return Some([0.0, 1.0]);
+    }
+    match table.quantities(RANGE.name(), Dimension::NUMBER)?[..] {
+        [from, to] if from >= 0.0 && from < to && to <= 1.0 => Some([from, to]),
+        _ => {
+            let name = name.to_owned();
+            table.note(&RANGE, &LayupFileProblem::Range { name });
+            None
         }
     }
 }

@@ -80,6 +80,8 @@ pub struct Place {
     pub shift: Course,
     /// Part of the contour that is added [-].
     pub part: f64,
+    /// The line of the file on which it is given; 0 if it is not given there.
+    pub line: usize,
 }
 
 /// The forms of a place.
@@ -104,13 +106,23 @@ impl Place {
         Self::of(PlaceForm::Arc(Course::constant(part)))
     }
 
+    /// The place of a name on a line of the file.
+    pub(super) fn of_name(name: String, line: usize) -> Self {
+        Self::of(PlaceForm::Named(name)).on_line(line)
+    }
+
     /// A place without a shift.
     pub fn of(form: PlaceForm) -> Self {
         Self {
             form,
             shift: Course::constant(0.0),
             part: 0.0,
+            line: 0,
         }
+    }
+
+    fn on_line(self, line: usize) -> Self {
+        Self { line, ..self }
     }
 
     /// A place by its name, with or without a shift: `cap.end + 40 mm`, `nose - 0.02`.
@@ -184,6 +196,13 @@ impl Declared for Place {}
 
 impl Value for Place {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let place = Self::read_form(table, key)?;
+        Some(place.on_line(table.line_of(key)))
+    }
+}
+
+impl Place {
+    fn read_form(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         if table.is_text(key) {
             let made = Self::named(&table.text(key.name)?);
             let expected = |reason| format!("a place, as \"cap.end + 40 mm\" ({reason})");
@@ -204,9 +223,7 @@ impl Value for Place {
         inner.finish();
         place
     }
-}
 
-impl Place {
     /// The place of a table with the keys of [`PLACE`]; notes problems.
     pub(super) fn of_table(inner: &Table<'_>) -> Option<Self> {
         let side = inner.get(&SIDE);
@@ -237,12 +254,17 @@ impl Place {
         let given = [&ARC, &X, &DISTANCE, &PLANE].iter();
         let given = given.filter(|key| inner.has(key)).count() + usize::from(inner.has(&AT));
         let form = forms.into_iter().flatten().next().map(Self::of);
-        let form = form.or(named).filter(|_| given == 1);
+        let has_angle = inner.has(&ANGLE) && !inner.has(&PLANE);
+        let has_side =
+            inner.has(&SIDE) && [&ARC.name(), &AT.name()].iter().any(|key| inner.has(key));
+        let form = form
+            .or(named)
+            .filter(|_| given == 1 && !has_angle && !has_side);
         if form.is_none() {
             let problem = LayupFileProblem::Place;
             inner.note("", &problem);
         }
-        Some(form?.shifted(&shift?, 1.0))
+        Some(form?.shifted(&shift?, 1.0).on_line(inner.line()))
     }
 }
 
@@ -273,6 +295,7 @@ impl Value for BothSides {
             }
         };
         inner.finish();
-        Some(Self(forms?.map(Place::of)))
+        let line = table.line_of(key);
+        Some(Self(forms?.map(|form| Place::of(form).on_line(line))))
     }
 }

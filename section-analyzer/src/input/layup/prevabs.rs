@@ -94,6 +94,7 @@ fn section<'x>(
         places: Vec::new(),
         layers: made.layers,
         webs: made.webs,
+        fills: Vec::new(),
         size: None,
         line: None,
         stations: Vec::new(),

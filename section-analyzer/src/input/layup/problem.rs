@@ -31,7 +31,7 @@ pub enum LayupFileProblem {
     },
     /// One name twice.
     #[error(
-        "\"{name}\" is the name of another layer or web on line {line}, expected a name of its own"
+        "\"{name}\" is the name of another layer, web or fill on line {line}, expected a name of its own"
     )]
     NameTwice {
         /// The name.
@@ -76,9 +76,23 @@ pub enum LayupFileProblem {
     /// A place of no form, or of several.
     #[error(
         "expected one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \"x\", \
-         \"distance\" and \"plane\""
+         \"distance\" and \"plane\" alone, an \"angle\" with \"plane\" alone"
     )]
     Place,
+    /// Layers that continue along two webs.
+    #[error("layers continue along webs \"{}\" and \"{}\", expected one web", .webs[0], .webs[1])]
+    TwoSpars {
+        /// The webs.
+        webs: [String; 2],
+    },
+    /// A web with plies, along which layers continue.
+    #[error(
+        "web \"{web}\" has plies of its own, and layers that continue along it, expected one of them"
+    )]
+    PliesOfSpar {
+        /// The web.
+        web: String,
+    },
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,
@@ -108,10 +122,10 @@ pub enum LayupFileProblem {
         eta: f64,
     },
     /// A range along the span that is not one.
-    #[error("\"eta\" of web \"{web}\" is not two ascending positions from 0 to 1")]
+    #[error("\"eta\" of \"{name}\" is not two ascending positions from 0 to 1")]
     Range {
-        /// The web.
-        web: String,
+        /// The web or fill.
+        name: String,
     },
     /// A section that cannot be meshed.
     #[error("eta {eta}: {problem}")]
@@ -122,6 +136,9 @@ pub enum LayupFileProblem {
         problem: LayupProblem,
     },
 }
+
+/// A problem, and the line of the file that it belongs to.
+pub(super) type Located = (usize, LayupFileProblem);
 
 impl Explain for LayupFileProblem {
     fn help(&self) -> Option<String> {

@@ -1,17 +1,16 @@
 //! The section at a position along the span: places become arcs.
 
-use super::place::{Place, PlaceForm, SIDES};
-use super::problem::LayupFileProblem;
+use super::fills::{FillBound, WrittenFill};
+use super::names::{Found, POINTS};
+use super::place::{Place, PlaceForm};
+use super::problem::{LayupFileProblem, Located};
 use super::{Layup, WrittenLayer, WrittenWeb};
-use crate::mesh::generate::layup::{Layer, LayupSection, Outline, Web, WebPly};
+use crate::mesh::generate::layup::{Bound, Fill, Layer, LayupSection, Outline, Spar, Web, WebPly};
 
 /// Thickness below which a layer is absent \[m\].
 pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
-
-/// A problem, and the line of the file that it belongs to.
-pub(super) type Located = (usize, LayupFileProblem);
 
 /// Resolves the places of a section.
 pub(super) struct Resolver<'a> {
@@ -35,6 +34,7 @@ impl<'a> Resolver<'a> {
     /// The section, lengths in meters.
     pub fn section(&self) -> Result<LayupSection, Located> {
         let mut layers = Vec::new();
+        let mut along = Vec::new();
         for layer in self.layup.layers.iter().filter(|layer| self.has(layer)) {
             let mut places = Vec::new();
             let from = self.arc(layer.line, &layer.from, &mut places)?;
@@ -50,6 +50,9 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             let thickness = layer.thickness.at(self.eta);
+            if layer.web.is_some() {
+                along.push(layers.len());
+            }
             layers.push(Layer {
                 name: layer.name.clone(),
                 thickness,
@@ -59,16 +62,31 @@ impl<'a> Resolver<'a> {
             });
         }
         let mut webs = Vec::new();
+        let mut spar = None;
         for web in &self.layup.webs {
             if self.eta < web.range[0] || self.eta > web.range[1] {
                 continue;
             }
-            webs.push(self.web(web)?);
+            let made = self.web(web)?;
+            if self.layup.is_of_spar(web) {
+                spar = (!along.is_empty()).then(|| Spar {
+                    web: made.name,
+                    arcs: made.arcs,
+                    layers: std::mem::take(&mut along),
+                });
+            } else {
+                webs.push(made);
+            }
         }
+        let fills = self.layup.fills.iter();
+        let fills = fills.filter(|fill| self.eta >= fill.range[0] && self.eta <= fill.range[1]);
+        let fills: Result<_, Located> = fills.map(|fill| self.fill(fill)).collect();
         Ok(LayupSection {
             contour: self.layup.shape.contour(self.eta),
             layers,
             webs,
+            spar,
+            fills: fills?,
             size: self.layup.size,
         })
     }
@@ -90,6 +108,23 @@ impl<'a> Resolver<'a> {
         })
     }
 
+    fn fill(&self, fill: &WrittenFill) -> Result<Fill, Located> {
+        let bound = |bound: &Option<FillBound>| match bound {
+            None => Ok(None),
+            Some(FillBound::Web(name, _)) => Ok(Some(Bound::Web(name.clone()))),
+            Some(FillBound::Plane(places)) => {
+                let [suction, pressure] = &**places;
+                let arc = |place| self.arc(fill.line, place, &mut Vec::new());
+                Ok(Some(Bound::Line([arc(suction)?, arc(pressure)?])))
+            }
+        };
+        Ok(Fill {
+            name: fill.name.clone(),
+            ahead_of: bound(&fill.bounds[0])?,
+            aft_of: bound(&fill.bounds[1])?,
+        })
+    }
+
     /// Whether a layer is present.
     fn has(&self, layer: &WrittenLayer) -> bool {
         layer.thickness.covers(self.eta) && layer.thickness.at(self.eta) > ABSENT
@@ -106,6 +141,7 @@ impl<'a> Resolver<'a> {
     fn arc(&self, line: usize, place: &Place, places: &mut Vec<String>) -> Result<f64, Located> {
         let (outline, eta) = (&self.outline, self.eta);
         let perimeter = outline.perimeter();
+        let line = if place.line > 0 { place.line } else { line };
         let off = |place: String| (line, LayupFileProblem::OffContour { place, eta });
         let s = match &place.form {
             PlaceForm::Arc(course) => course.at(eta) * perimeter,
@@ -151,7 +187,7 @@ impl<'a> Resolver<'a> {
             let places = places.clone();
             return Err((line, LayupFileProblem::Circle { places }));
         }
-        let all = self.known();
+        let all = self.layup.known_places();
         let Some((_, found)) = all.iter().find(|one| one.0 == name) else {
             let points = points.iter().map(|one| one.0.to_owned());
             let problem = LayupFileProblem::Unknown {
@@ -183,37 +219,13 @@ impl<'a> Resolver<'a> {
     fn points(&self) -> [(&'static str, f64); 4] {
         let outline = &self.outline;
         let [suction, pressure] = outline.corners();
+        let [nose, foremost, first, second] = POINTS;
         [
-            ("nose", outline.nose()),
-            ("leading_edge", outline.foremost()),
-            ("base.suction", suction),
-            ("base.pressure", pressure),
+            (nose, outline.nose()),
+            (foremost, outline.foremost()),
+            (first, suction),
+            (second, pressure),
         ]
-    }
-
-    /// The places that have names.
-    fn known(&self) -> Vec<(String, Found<'_>)> {
-        let mut all = Vec::new();
-        for layer in &self.layup.layers {
-            // plies of a layer have its places
-            let layer_name = layer.name.split('/').next().unwrap_or_default();
-            let names = [layer.name.as_str(), layer_name];
-            for name in &names[..1 + usize::from(names[0] != names[1])] {
-                all.push((format!("{name}.start"), Found::Place(&layer.from)));
-                all.push((format!("{name}.end"), Found::Place(&layer.to)));
-            }
-        }
-        for web in &self.layup.webs {
-            for (side, word) in SIDES.iter().enumerate() {
-                let name = format!("{}.{word}", web.name);
-                all.push((format!("{name}.fore"), Found::Face(web, side, 1.0)));
-                all.push((format!("{name}.aft"), Found::Face(web, side, -1.0)));
-                all.push((name, Found::Place(&web.places[side])));
-            }
-        }
-        let named = self.layup.places.iter();
-        all.extend(named.map(|(name, place)| (name.clone(), Found::Place(place))));
-        all
     }
 
     /// The arc at which the fore face (sign 1) or the aft face (-1) of a web meets a side: its
@@ -224,19 +236,20 @@ impl<'a> Resolver<'a> {
         let line = [0, 1].map(|i| points[1][i] - points[0][i]);
         let height = line[0].hypot(line[1]);
         let normal = [-line[1] / height, line[0] / height];
-        let plies = web.plies.iter().filter(|ply| self.has(ply));
-        let thickness: f64 = plies.map(|ply| ply.thickness.at(self.eta)).sum();
-        let offset = 0.5 * sign * thickness;
+        let sum = |plies: &mut dyn Iterator<Item = &WrittenLayer>| -> f64 {
+            let here = plies.filter(|ply| self.has(ply));
+            here.map(|ply| ply.thickness.at(self.eta)).sum()
+        };
+        // the place of the web of a spar is its aft face
+        let along = self.layup.layers.iter();
+        let mut along = along.filter(|layer| layer.web.as_ref().is_some_and(|of| of.0 == web.name));
+        let offset = match self.layup.is_of_spar(web) {
+            true => sum(&mut along) * sign.max(0.0),
+            false => 0.5 * sign * sum(&mut web.plies.iter()),
+        };
         let ahead = |p: [f64; 2]| {
             (p[0] - points[0][0]) * normal[0] + (p[1] - points[0][1]) * normal[1] > offset
         };
         Some(self.outline.first_behind(side, ahead)? / perimeter)
     }
-}
-
-/// A place with a name.
-enum Found<'a> {
-    Place(&'a Place),
-    /// Face of a web on a side, fore 1 or aft -1.
-    Face(&'a WrittenWeb, usize, f64),
 }

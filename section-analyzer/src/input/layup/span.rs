@@ -3,6 +3,8 @@
 //! At a jump (a layer or web that begins or ends, a thickness or chord that jumps) there are two
 //! sections, a millionth of the length inside and outside of it.
 
+use std::collections::BTreeSet;
+
 use shared_geom::document::Table;
 use shared_geom::line::Side;
 use shared_geom::units::Dimension;
@@ -118,6 +120,31 @@ impl Layup {
         ordered(all, SAME).into_iter().flat_map(sides).collect()
     }
 
+    /// The layers and plies that are absent in all sections, with their lines: at all positions of
+    /// its tables and all chosen stations. None if a section does not exist there.
+    pub fn absent_layers(&self) -> Vec<(&str, usize)> {
+        let stations = self.span_stations(&Selection::Chosen);
+        let stations = stations.iter().map(SpanStation::meshed_at);
+        let sections = stations
+            .chain(self.positions())
+            .map(|eta| self.section(eta));
+        let Ok(sections) = sections.collect::<Result<Vec<_>, _>>() else {
+            return Vec::new();
+        };
+        let mut found = BTreeSet::new();
+        for section in &sections {
+            found.extend(section.layers.iter().map(|layer| layer.name.as_str()));
+            let plies = section.webs.iter().flat_map(|web| &web.plies);
+            found.extend(plies.map(|ply| ply.name.as_str()));
+        }
+        let plies = self.webs.iter().flat_map(|web| &web.plies);
+        let all = self.layers.iter().chain(plies);
+        let absent = all.filter(|layer| !found.contains(layer.name.as_str()));
+        absent
+            .map(|layer| (layer.name.as_str(), layer.line))
+            .collect()
+    }
+
     /// Positions between root and tip at which the layup jumps, ascending [-].
     pub fn jumps(&self) -> Vec<f64> {
         let mut all = ordered(self.changes(), SAME);
@@ -125,11 +152,17 @@ impl Layup {
         all
     }
 
-    /// Positions at which a quantity has a value, a web begins or ends.
+    /// Positions at which a quantity has a value, a web or fill begins or ends.
     fn changes(&self) -> Vec<f64> {
         let mut all = self.positions();
-        all.extend(self.webs.iter().flat_map(|web| web.range));
+        all.extend(self.ranges().flatten());
         all
+    }
+
+    /// First and last positions of webs and fills.
+    fn ranges(&self) -> impl Iterator<Item = [f64; 2]> {
+        let webs = self.webs.iter().map(|web| web.range);
+        webs.chain(self.fills.iter().map(|fill| fill.range))
     }
 
     fn is_jump(&self, eta: f64) -> bool {
@@ -147,12 +180,9 @@ impl Layup {
         };
         let plies = self.webs.iter().flat_map(|web| &web.plies);
         let mut layers = self.layers.iter().chain(plies);
-        let of_web = |[from, to]: [f64; 2], eta: f64| f64::from(eta >= from && eta <= to);
+        let is_in = |[from, to]: [f64; 2], eta: f64| f64::from(eta >= from && eta <= to);
         layers.any(|layer| differs(&|eta| thickness(layer, eta)))
-            || self
-                .webs
-                .iter()
-                .any(|web| differs(&|eta| of_web(web.range, eta)))
+            || self.ranges().any(|range| differs(&|eta| is_in(range, eta)))
             || differs(&|eta| self.shape.chord.at(eta))
     }
 

@@ -25,7 +25,7 @@ use shared_geom::exchange::yaml::{self, Node, Value};
 
 use super::course::Course;
 use super::resolve::Resolver;
-use super::{Layup, Materials, doubled_names};
+use super::{Layup, Materials, wrong_names};
 
 mod airfoil;
 mod layers;
@@ -162,7 +162,7 @@ fn blade(
     let (used, parts) = layers::read(structure, root, &places, notes);
     let constants = materials::constants(root, &used, materials, notes);
     let (shape, (layers, webs)) = (shape?, parts?);
-    for (line, problem) in doubled_names(&layers, &webs) {
+    for (line, problem) in wrong_names(&layers, &webs, &[]) {
         let location = SourceLocation::line(&file, line);
         let _: Option<()> = notes
             .problems
@@ -173,6 +173,7 @@ fn blade(
         places: Vec::new(),
         layers,
         webs,
+        fills: Vec::new(),
         size: None,
         line: tilt.as_ref().map(|tilt| tilt.line.clone()),
         stations: Vec::new(),

@@ -4,7 +4,7 @@
 //! its ends, so that cells on both sides share it. It lies at their midpoint unless a
 //! wall has moved it onto its curve.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use nalgebra::Vector3;
 use shared_geom::mesh::{Cell, CellKind, GroupSet, Line, Mesh, Node, PhysicalGroup};
@@ -76,6 +76,59 @@ impl Grid {
             }));
         }
         indices.into_iter().collect()
+    }
+
+    /// The holes of the cells and of `lines` between them: closed chains of corners, counterclockwise.
+    pub fn holes(&self, lines: &[Vec<u32>]) -> Vec<Vec<u32>> {
+        let sides = self.cells.iter().flat_map(|(corners, _)| {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().copied().zip(next.copied())
+        });
+        let sides: BTreeSet<(u32, u32)> = sides.collect();
+        // a cell is to the left of a side, a hole or the outside to the right
+        let is_free = |(a, b): &&(u32, u32)| !sides.contains(&(*b, *a));
+        let mut free: BTreeSet<(u32, u32)> = sides.iter().filter(is_free).copied().collect();
+        for pair in lines.iter().flat_map(|line| line.windows(2)) {
+            free.extend([(pair[0], pair[1]), (pair[1], pair[0])]);
+        }
+        let mut holes = Vec::new();
+        while let Some(first) = free.pop_first() {
+            let (mut chain, mut at) = (vec![first.0], first);
+            while at.1 != first.0 {
+                chain.push(at.1);
+                // of several sides the sharpest turn to the right is of this hole
+                let next = free.range((at.1, 0)..=(at.1, u32::MAX)).copied();
+                let next = next.filter(|side| side.1 != at.0);
+                let turn = |side: &(u32, u32)| self.turn(at, *side);
+                let Some(next) = next.min_by(|a, b| turn(a).total_cmp(&turn(b))) else {
+                    break;
+                };
+                free.remove(&next);
+                at = next;
+            }
+            if self.area(&chain) < 0.0 {
+                chain.reverse();
+                holes.push(chain);
+            }
+        }
+        holes
+    }
+
+    /// The turn from a side to the next one, positive to the left \[rad\].
+    fn turn(&self, (a, b): (u32, u32), (_, c): (u32, u32)) -> f64 {
+        let [a, b, c] = [a, b, c].map(|node| self.position(node));
+        let [u, v] = [[b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]];
+        (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
+    }
+
+    /// The area in a closed chain of nodes, positive if it is counterclockwise.
+    pub fn area(&self, chain: &[u32]) -> f64 {
+        let next = chain.iter().cycle().skip(1);
+        let parts = chain.iter().zip(next).map(|(a, b)| {
+            let [a, b] = [a, b].map(|node| self.position(*node));
+            0.5 * (a[0] * b[1] - a[1] * b[0])
+        });
+        parts.sum()
     }
 
     /// The mesh, of quadrilaterals of this kind and triangles of the same order.

@@ -9,7 +9,8 @@
 //!
 //! so that layers have their given thickness for any direction v. Where the layers of
 //! both sides meet, the columns of both sides end in one common node: outer layers are
-//! complete there, inner ones are cut. Nodes of the inner faces are the nodes of webs.
+//! complete there, inner ones are cut. Nodes of the inner faces are the nodes of webs, and of the
+//! triangles of fills.
 
 use shared_geom::error::SourceLocation;
 use shared_geom::mesh::{CellKind, Mesh};
@@ -18,20 +19,25 @@ use super::super::SectionMesh;
 
 mod area;
 mod build;
+mod column;
+mod fill;
+mod line;
 mod mitre;
 mod outline;
 mod pairs;
 mod polygon;
 mod problem;
+mod spar;
 mod stack;
 mod stations;
+mod triangles;
 mod types;
 mod wall;
 mod webs;
 
 pub use outline::Outline;
-pub use problem::LayupProblem;
-pub use types::{Layer, LayerArea, LayupSection, MeshedLayup, Web, WebPly};
+pub use problem::{LayupProblem, Upright};
+pub use types::{Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, Web, WebPly};
 
 use wall::{Reach, Wall};
 
@@ -42,8 +48,8 @@ const AROUND: f64 = 120.0;
 
 impl LayupSection {
     /// The mesh, of quadrilaterals with 8 nodes and triangles with 6. Physical surfaces:
-    /// the name of each layer and web ply; for layers also their parts `NAME@suction` and
-    /// `NAME@pressure`. Physical curves: `contour`, the outer surface, clockwise, and its
+    /// the name of each layer, web ply and fill; for layers also their parts `NAME@suction` and
+    /// `NAME@pressure`, and `NAME@WEB` along the web of a spar. Physical curves: `contour`, the outer surface, clockwise, and its
     /// parts `contour@suction` and `contour@pressure`; the name of each web, from the
     /// pressure to the suction side.
     ///
@@ -65,7 +71,7 @@ impl LayupSection {
                 Ok((mesh, wall)) => match sound(&mesh) {
                     Ok(()) => {
                         let areas = area::areas(self, &wall, &mesh);
-                        area::check(&areas)?;
+                        area::check(&areas[..areas.len() - self.fills.len()])?;
                         return Ok(MeshedLayup { mesh, areas });
                     }
                     Err(problem) => problem,

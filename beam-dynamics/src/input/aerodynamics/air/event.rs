@@ -8,6 +8,7 @@ use shared_geom::units::Dimension;
 
 use super::mean::MeanCard;
 use super::problem::AirProblem;
+use crate::input::number::short_number;
 
 keys! {
     /// A wind condition of IEC 61400-1 ed. 3, for the class of a turbine and the speed of the mean wind
@@ -158,6 +159,9 @@ pub(super) fn read(table: &Table<'_>, mean: Option<&MeanCard>, has_box: bool) ->
         _ => {
             let (start, sign) = (start?, if reversed? { -1.0 } else { 1.0 });
             let speed = hub_speed(table, mean?.speed(turbine.hub_height, start))?;
+            if kind == 0 {
+                below_extreme(table, &turbine, speed)?;
+            }
             let shape = shape(&turbine, kind, speed, sign);
             Condition::Event(Event { start, shape })
         }
@@ -174,6 +178,26 @@ pub(super) fn hub_speed(table: &Table<'_>, speed: f64) -> Option<f64> {
         found: format!("{speed} m/s at the hub"),
         expected: "a positive speed, by which the standard scales an event".to_owned(),
         help: "give \"speed\" in [air.wind]",
+    };
+    table.note(&KIND, &problem);
+    None
+}
+
+/// Notes a speed at which the operating gust would be a lull.
+fn below_extreme(table: &Table<'_>, turbine: &IecTurbine, speed: f64) -> Option<()> {
+    let extreme = turbine.extreme_profile_1().speed;
+    if speed < extreme {
+        return Some(());
+    }
+    let problem = AirProblem::Value {
+        key: "speed",
+        found: format!("{} m/s at the hub", short_number(speed, 6)),
+        expected: format!(
+            "less than the extreme speed of one year of this class, {} m/s: the gust is a part of the \
+             difference",
+            short_number(extreme, 6)
+        ),
+        help: "choose another \"class\", or a speed at which the turbine operates",
     };
     table.note(&KIND, &problem);
     None

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use rotor_aero::wind::{
-    BladedInput, MannInput, Mean, OutsideGrid, PlaneOrder, TurbulenceBox, read_bladed, read_bts,
-    read_mann, read_summary,
+    BladedInput, MannInput, Mean, MeanWind, OutsideGrid, PlaneOrder, Shear, TurbulenceBox,
+    read_bladed, read_bts, read_mann, read_summary,
 };
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, Positive, Quantity, Text, Texts, Vector, Word,
@@ -162,7 +162,7 @@ fn with_mean(table: &Table<'_>, mean: Option<&MeanCard>) -> bool {
     let found = card.mean.at(0.0);
     let changes = matches!(card.mean, Mean::Function(_)) || card.mean.next_corner(0.0).is_finite();
     if found.speed == 0.0 && found.vertical == 0.0 && !changes {
-        return true;
+        return without_effect(table, &found);
     }
     let problem = AirProblem::Value {
         key: "speed",
@@ -176,6 +176,38 @@ fn with_mean(table: &Table<'_>, mean: Option<&MeanCard>) -> bool {
     };
     table.note(&FILE, &problem);
     false
+}
+
+/// Whether the mean wind has nothing that a file with its own mean wind ignores; each is noted.
+fn without_effect(table: &Table<'_>, mean: &MeanWind) -> bool {
+    let law = match mean.shear {
+        Shear::Uniform => None,
+        Shear::Power { .. } => Some("exponent"),
+        Shear::Log { .. } => Some("roughness"),
+    };
+    let numbers = [
+        ("turn", mean.direction),
+        ("upflow", mean.upflow),
+        ("veer", mean.veer),
+        ("horizontal_shear", mean.horizontal_shear),
+        ("vertical_shear", mean.vertical_shear),
+    ];
+    let numbers = numbers
+        .iter()
+        .filter_map(|(key, value)| (*value != 0.0).then_some(*key));
+    let found: Vec<_> = law.into_iter().chain(numbers).collect();
+    for key in &found {
+        let problem = AirProblem::Value {
+            key,
+            found: "in the wind of [air]".to_owned(),
+            expected: "no such key: the file contains the mean wind, which blows along \
+                       \"direction\""
+                .to_owned(),
+            help: "remove it; \"direction\" of [air.wind] turns the box with its mean wind",
+        };
+        table.note(&FILE, &problem);
+    }
+    found.is_empty()
 }
 
 fn bladed(table: &Table<'_>) -> Option<BladedInput> {
@@ -225,6 +257,16 @@ fn mann(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<Option<MannInput>>
     };
     let points = counts(table, points)?;
     let speed = speed.or_else(|| mean.map(|mean| mean.speed(hub_height, 0.0)))?;
+    if speed == 0.0 {
+        let problem = AirProblem::Value {
+            key: "speed",
+            found: "0 m/s at the hub".to_owned(),
+            expected: "the speed by which the planes of a Mann box pass".to_owned(),
+            help: "give \"speed\" in [air.wind], or here",
+        };
+        table.note(&FILES, &problem);
+        return Some(None);
+    }
     let order = if reversed {
         PlaneOrder::LastArrives
     } else {

@@ -381,3 +381,15 @@ fn wrong_parts_are_explained() {
                     beam between hub and blade";
     assert!(shown.contains(expected), "{shown}");
 }
+
+// Nodes of a flexbeam that could not be read are not unknown.
+#[test]
+fn a_wrong_flexbeam_is_one_error() {
+    let wrong = rotor(3, "speed = 0", "").replace("properties = \"flex\"", "properties = \"flux\"");
+    let shown = refused(&wrong);
+    assert!(
+        shown.contains("unknown properties \"flux\" in blade \"r/flexbeam\""),
+        "{shown}"
+    );
+    assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+}

@@ -159,3 +159,38 @@ fn rotors_are_the_rotors_of_blade_cards() {
         }
     }
 }
+
+// The rotor of an included file: the text has the content of both files, and is the same model.
+#[test]
+fn a_rotor_of_an_included_file_is_expanded() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = text("articulated", KINDS[2].1, "[parameters]\nsoft = 3\n");
+    std::fs::write(
+        folder.path().join("rotor.toml"),
+        whole.replacen("units = \"SI\"\n", "", 1),
+    )
+    .unwrap();
+    let main = "units = \"SI\"\ninclude = \"rotor.toml\"\n[parameters]\nhard = \"= 2*soft\"\n\
+                [modes]\nspeeds = 300\n";
+    let path = folder.path().join("main.dynamics.toml");
+    std::fs::write(&path, main).unwrap();
+    let found = crate::input::expanded(&path).unwrap_or_else(|problems| panic!("{problems}"));
+    assert!(
+        !found.contains("[[rotor]]") && !found.contains("include"),
+        "{found}"
+    );
+    assert!(
+        found.contains("[parameters]\nhard = \"= 2*soft\"\nsoft = 3\n"),
+        "{found}"
+    );
+    let there = crate::input::read(&path).unwrap();
+    let here = read(&found);
+    let nodes = [&there, &here].map(|input| {
+        let nodes = input.model.system.nodes().iter();
+        nodes
+            .map(|node| (node.label.clone(), node.position))
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(nodes[0], nodes[1]);
+    assert_eq!(there.summary, here.summary);
+}

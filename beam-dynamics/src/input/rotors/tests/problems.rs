@@ -378,3 +378,25 @@ fn files_of_any_content_are_read_or_reported() {
     }
     assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
 }
+
+// A damper of no length, and a limit of stiffness: one message each, with key and remedy.
+#[test]
+fn dampers_without_length_and_beyond_all_digits_are_refused() {
+    let damper = |keys: &str| {
+        let hinge = "speed = 0\n[[rotor.hinge]]\nkind = \"lag\"\n";
+        refused(&text("hingeless", &format!("{hinge}{keys}\n"), ""))
+    };
+    let ends = "[rotor.lag_damper]\nhub = [0.3, -0.08, 0]\nblade = [0.3, -0.08, 0]\ndamping = 100";
+    let shown = damper(ends);
+    let expected = "\"hub\" and \"blade\" of [rotor.lag_damper] are the same point, [0.3, -0.08, 0] m, \
+                    expected the two ends of the damper\n  help: both are positions from the center of \
+                    the hub along the undeformed blade";
+    assert!(shown.contains(expected), "{shown}");
+    assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    let stiff = "damper = { stiffness = 1e30, loss_factor = 0.4, frequency = 4 }";
+    let shown = damper(stiff);
+    let expected = "\"stiffness\" is 1e30 in SI units, expected at most 1e20\n  help: the stiffness of \
+                    all other parts would be lost in round-off";
+    assert!(shown.contains(expected), "{shown}");
+    assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+}

@@ -51,6 +51,8 @@ impl Kind {
 /// The columns of a file.
 pub(super) struct Header {
     pub kinds: Vec<Kind>,
+    /// Factors by which the numbers of the columns are multiplied: 0.01 of a column in per cent.
+    pub factors: Vec<f64>,
     /// Unit of the angle of attack.
     pub unit: Unit,
     /// Unit of the deflection.
@@ -176,8 +178,13 @@ impl Header {
         }
         let unit = unit(line.number, &names, &kinds, Kind::Alpha, notes);
         let flap = unit_of_flap(line.number, &names, &kinds, notes);
+        let factors = names.iter().zip(&kinds);
+        let factors: Vec<_> = factors
+            .map(|((_, unit), kind)| factor(line.number, *kind, unit, notes))
+            .collect();
         let header = Self {
             kinds,
+            factors: factors.into_iter().collect::<Option<_>>()?,
             unit: unit?,
             flap: flap?,
         };
@@ -187,6 +194,29 @@ impl Header {
     /// The index of a column.
     pub fn column(&self, kind: Kind) -> Option<usize> {
         self.kinds.iter().position(|known| *known == kind)
+    }
+}
+
+/// The factor of a column: 1, a per cent, or a number such as `1e6`; notes another unit. Angles have
+/// units of their own.
+fn factor(line: usize, kind: Kind, unit: &str, notes: &mut Notes) -> Option<f64> {
+    if matches!(kind, Kind::Name | Kind::Alpha | Kind::Flap | Kind::Other) {
+        return Some(1.0);
+    }
+    match unit {
+        "" | "-" => Some(1.0),
+        "%" => Some(0.01),
+        other => {
+            let number = other.parse().ok().filter(|found: &f64| *found > 0.0);
+            let factor = number.filter(|found| found.is_finite());
+            if factor.is_none() {
+                let of = format!("unit of column \"{}\"", kind.title());
+                let help = "delete the unit; the numbers have none";
+                let expected = "none, [-], [%] or a factor, such as [1e6]";
+                notes.wrong(line, [&of, &format!("\"{other}\""), expected, help]);
+            }
+            factor
+        }
     }
 }
 

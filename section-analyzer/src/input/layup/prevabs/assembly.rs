@@ -2,7 +2,7 @@
 
 use super::super::course::Course;
 use super::super::shape::Shape;
-use super::super::{WrittenLayer, WrittenWeb, doubled_names};
+use super::super::{WrittenLayer, WrittenWeb, wrong_names};
 use super::components::{List, Segment};
 use super::contour::{self, Chain, Contour};
 use super::files::Notes;
@@ -40,7 +40,7 @@ pub(super) fn assemble(list: List<'_>, notes: &mut Notes) -> Option<Made> {
     let webs: Option<Vec<WrittenWeb>> = made.into_iter().collect();
     let layers = stack::layers(&segments, &contour.pieces);
     let webs = webs?;
-    if let Some((line, problem)) = doubled_names(&layers, &webs).into_iter().next() {
+    if let Some((line, problem)) = wrong_names(&layers, &webs, &[]).into_iter().next() {
         let found = problem.to_string();
         let help = "give the segments names of their own";
         notes.wrong_on(

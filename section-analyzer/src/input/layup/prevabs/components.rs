@@ -104,7 +104,7 @@ pub(super) fn read<'x>(
         if !matches!(kind, "" | "laminate") {
             let found = format!("type \"{}\"", shortened(kind));
             let help = match kind {
-                "fill" => "remove the component; layups have no fills, only layers and webs",
+                "fill" => "remove the component, and add a [[fill]] to the written layup file",
                 _ => "correct the type",
             };
             let expected = "type \"laminate\"";

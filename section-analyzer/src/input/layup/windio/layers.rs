@@ -167,6 +167,7 @@ fn layer<'n>(
         from,
         to,
         taper: None,
+        web: None,
         line: item.line,
     })
 }
@@ -328,6 +329,7 @@ fn bond_lines<'n>(
             from,
             to,
             taper: None,
+            web: None,
             line: flange.line,
         });
     }

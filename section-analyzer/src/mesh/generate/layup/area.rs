@@ -2,14 +2,16 @@
 
 use shared_geom::mesh::{Cell, Mesh};
 
+use super::super::super::distance;
 use super::problem::LayupProblem;
+use super::spar::SparWall;
 use super::types::{LayerArea, LayupSection};
 use super::wall::Wall;
 
 /// Samples of the integral along the contour.
 const SAMPLES: usize = 2000;
 
-/// Areas of the layers and of the plies of webs.
+/// Areas of the layers, of the plies of webs, and of fills.
 pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
     let mut areas: Vec<LayerArea> = Vec::new();
     let nominal = nominal(wall);
@@ -21,11 +23,17 @@ pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<Lay
         });
     }
     let plies = section.webs.iter().flat_map(|web| &web.plies);
-    areas.extend(plies.map(|ply| LayerArea {
-        name: ply.name.clone(),
-        nominal: f64::NAN,
-        meshed: 0.0,
-    }));
+    let fills = section.fills.iter().map(|fill| &fill.name);
+    areas.extend(
+        plies
+            .map(|ply| &ply.name)
+            .chain(fills)
+            .map(|name| LayerArea {
+                name: name.clone(),
+                nominal: f64::NAN,
+                meshed: 0.0,
+            }),
+    );
     for cell in &mesh.cells {
         let group = cell.groups.first().and_then(|first| mesh.groups.get(first));
         let name = group
@@ -90,7 +98,35 @@ fn nominal(wall: &Wall) -> Vec<f64> {
             outer = inner;
         }
     }
+    if let Some(spar) = &wall.spar {
+        add_spar(wall, spar, &mut sums);
+    }
     sums
+}
+
+/// The parts along the web of a spar; each of its mitres takes of both surfaces.
+fn add_spar(wall: &Wall, spar: &SparWall, sums: &mut [f64]) {
+    let faces = spar.corners.map(|s| {
+        let (p, n) = (wall.outline.position(s), wall.outline.inward(s));
+        let depth = wall.stack.before(spar.first, s);
+        [0, 1].map(|i| p[i] + depth * n[i])
+    });
+    let length = distance(faces[0], faces[1]);
+    for (side, s) in spar.corners.into_iter().enumerate() {
+        let mut outer = 0.0;
+        for (layer, sum) in sums.iter_mut().enumerate().skip(spar.first) {
+            let inner = outer + wall.stack.thickness(layer, s);
+            *sum -= 0.5 * (inner * inner - outer * outer) * spar.leans[side];
+            outer = inner;
+        }
+    }
+    let lean = spar.leans[0] + spar.leans[1];
+    let mut outer = 0.0;
+    for layer in &spar.layers {
+        let inner = outer + wall.stack.full(*layer);
+        sums[*layer] += (inner - outer) * (length - 0.5 * (inner + outer) * lean);
+        outer = inner;
+    }
 }
 
 /// Area of a cell.

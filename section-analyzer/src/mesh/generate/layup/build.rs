@@ -7,14 +7,16 @@ use shared_geom::mesh::Mesh;
 use super::super::super::distance;
 use super::super::grid::Grid;
 use super::KIND;
+use super::column::Column;
+use super::fill::add_fills;
 use super::problem::LayupProblem;
+use super::spar::SIDES;
+use super::spar::SparWall;
 use super::stations::{Station, Stations, stations};
-use super::types::LayupSection;
-use super::wall::{Column, Edge, Wall};
-use super::webs::{SIDES, Standing, stand};
+use super::types::{LayupSection, MOST_CELLS};
+use super::wall::{Edge, Wall};
+use super::webs::{Standing, stand};
 
-/// Largest number of cells of a section.
-const MOST_CELLS: usize = 200_000;
 /// Distance of the middle of a side from its chord, as a part of it, beyond which the
 /// sides of a column of cells are straight.
 const CURVED: f64 = 0.12;
@@ -44,7 +46,7 @@ pub(super) fn mesh(section: &LayupSection, wall: &Wall) -> Result<Mesh, LayupPro
     let rows = rows(wall, &stations, &mut grid);
     let names = names(wall);
     let curves = SIDES.map(|side| ["contour".to_owned(), format!("contour@{side}")]);
-    for pair in rows.windows(2) {
+    for pair in rows.windows(2).filter(|pair| pair[0].s < pair[1].s) {
         middles(wall, pair, &mut grid);
         let middle = 0.5 * (pair[0].s + pair[1].s);
         let is_pressure = middle.rem_euclid(wall.outline.perimeter()) > wall.outline.nose();
@@ -56,9 +58,15 @@ pub(super) fn mesh(section: &LayupSection, wall: &Wall) -> Result<Mesh, LayupPro
         }
         grid.line([pair[0].nodes[0], pair[1].nodes[0]], &curves[side]);
     }
-    for web in &webs {
-        add_web(section, wall, web, &rows, &mut grid);
+    let mut lines = Vec::new();
+    if let Some(spar) = &wall.spar {
+        add_spar_web(wall, spar, &rows, &mut grid);
     }
+    for web in webs.iter().filter(|web| !web.is_spar) {
+        let nodes = add_web(wall, web, &rows, &mut grid);
+        lines.extend(Some(nodes).filter(|_| web.plies.is_empty()));
+    }
+    add_fills(section, wall.size, &webs, &lines, &mut grid)?;
     Ok(grid.mesh(KIND))
 }
 
@@ -112,8 +120,66 @@ fn rows(wall: &Wall, stations: &Stations, grid: &mut Grid) -> Vec<Row> {
             column,
             nodes,
         });
+        let spar = wall.spar.as_ref();
+        let corner = spar.and_then(|spar| Some((spar, spar.corner_at(station.s)?)));
+        if let Some((spar, side)) = corner {
+            // the same column without the spar, behind it
+            let behind = outside(wall, spar, &rows[rows.len() - 1]);
+            rows.insert(rows.len() - 1 + side, behind);
+        }
     }
     rows
+}
+
+/// Level of the bend of columns.
+fn knee_level(wall: &Wall, spar: &SparWall) -> usize {
+    (0..spar.first).map(|layer| wall.stack.cells(layer)).sum()
+}
+
+/// The column at a corner of a spar without the layers inside of it.
+fn outside(wall: &Wall, spar: &SparWall, row: &Row) -> Row {
+    let knee = knee_level(wall, spar);
+    let ended = |level: usize| level.min(knee);
+    let levels = 0..row.nodes.len();
+    Row {
+        s: row.s,
+        nodes: levels
+            .clone()
+            .map(|level| row.nodes[ended(level)])
+            .collect(),
+        column: Column {
+            depths: levels
+                .map(|level| row.column.depths[ended(level)])
+                .collect(),
+            ..row.column.clone()
+        },
+    }
+}
+
+/// The web of a spar between the columns at its corners.
+fn add_spar_web(wall: &Wall, spar: &SparWall, rows: &[Row], grid: &mut Grid) {
+    let knee = knee_level(wall, spar);
+    let nodes = |s: f64| {
+        // of both rows at a corner the one with the spar
+        let at = rows.iter().filter(|row| row.s == s);
+        let nodes = at.map(|row| {
+            let mut nodes = row.nodes[knee..].to_vec();
+            nodes.dedup();
+            nodes
+        });
+        nodes.max_by_key(Vec::len).unwrap_or_default()
+    };
+    let plies = spar.layers.iter().flat_map(|layer| {
+        let name = wall.stack.name(*layer);
+        let names = [name.to_owned(), format!("{name}@{}", spar.web)];
+        std::iter::repeat_n(names, wall.stack.cells(*layer))
+    });
+    let plies: Vec<[String; 2]> = plies.collect();
+    let corners = spar.corners.map(nodes);
+    // a corner that is no station of its own leaves the web out, which the checks find
+    if corners.iter().all(|nodes| nodes.len() == plies.len() + 1) {
+        spar.add_web(corners, &plies, wall.size, grid);
+    }
 }
 
 /// The column at a station, and the number of its pair if it ends at a contact.
@@ -167,8 +233,8 @@ fn middles(wall: &Wall, rows: &[Row], grid: &mut Grid) {
     }
 }
 
-/// Nodes and cells of a web between its feet.
-fn add_web(section: &LayupSection, wall: &Wall, web: &Standing, rows: &[Row], grid: &mut Grid) {
+/// Nodes and cells of a web or line between its feet; returns the nodes of its fore face.
+fn add_web(wall: &Wall, web: &Standing, rows: &[Row], grid: &mut Grid) -> Vec<u32> {
     let foot = |side: usize| -> Vec<u32> {
         let nearest = |s: &f64| {
             let mut best = 0;
@@ -196,16 +262,20 @@ fn add_web(section: &LayupSection, wall: &Wall, web: &Standing, rows: &[Row], gr
         line.push(feet[1][j]);
         lines.push(line);
     }
-    let name = &section.webs[web.web].name;
+    let name = &web.web.name;
     for (j, ply) in web.plies.iter().enumerate() {
-        let ply = &section.webs[web.web].plies[*ply].name;
+        let ply = &web.web.plies[*ply].name;
         let names = [ply.clone(), format!("{ply}@{name}")];
         let (fore, aft) = (&lines[j], &lines[j + 1]);
         for row in 0..count {
             grid.cell([aft[row], aft[row + 1], fore[row + 1], fore[row]], &names);
         }
     }
-    for pair in lines[0].windows(2).rev() {
-        grid.line([pair[1], pair[0]], std::slice::from_ref(name));
+    let fore = lines.swap_remove(0);
+    if !web.plies.is_empty() {
+        for pair in fore.windows(2).rev() {
+            grid.line([pair[1], pair[0]], std::slice::from_ref(name));
+        }
     }
+    fore
 }

@@ -50,7 +50,7 @@ pub(super) struct Mitre {
 
 /// The lean over the distance from a corner.
 #[derive(Debug, Clone)]
-struct Fade {
+pub(super) struct Fade {
     step: f64,
     /// M at equal steps; 0 at the last one.
     lean: Vec<f64>,
@@ -60,9 +60,10 @@ struct Fade {
 pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mitre> {
     let ([first, last], tangents) = (outline.corners(), outline.rear_tangents());
     let breaks = outline.breaks().iter();
-    let mut corners = vec![(first, tangents[0])];
-    corners.extend(breaks.map(|corner| (corner.s, corner.tangent)));
-    corners.push((last, tangents[1]));
+    let has_rear = !outline.is_smooth();
+    let rear = |which: usize| has_rear.then_some(([first, last][which], tangents[which]));
+    let breaks = breaks.map(|corner| (corner.s, corner.tangent));
+    let corners: Vec<(f64, f64)> = rear(0).into_iter().chain(breaks).chain(rear(1)).collect();
     let perimeter = outline.perimeter();
     let length = |i: usize| stack.total(corners[i].0) * corners[i].1;
     let at = |i: usize| {
@@ -72,6 +73,8 @@ pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mi
         let fades = [0, 1].map(|which| {
             let (other, sign) = (fades[which], [-1.0, 1.0][which]);
             let way = (sign * (corners[other].0 - s)).rem_euclid(perimeter);
+            // of a single corner all around
+            let way = if other == i { perimeter } else { way };
             let [own, others] = [i, other].map(|i| length(i).abs());
             let room = room(way, own, others);
             let at = |x: f64| (s + sign * x).rem_euclid(perimeter);
@@ -84,8 +87,8 @@ pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mi
             s,
             tangent,
             length: length(i),
-            is_rear: i == 0 || i + 1 == count,
-            is_last: i + 1 == count,
+            is_rear: has_rear && (i == 0 || i + 1 == count),
+            is_last: has_rear && i + 1 == count,
             perimeter,
             fades,
         }
@@ -105,8 +108,13 @@ fn room(way: f64, own: f64, other: f64) -> f64 {
 }
 
 impl Fade {
-    /// The fade in a `room`, of surfaces with a thickness and a curvature at each distance.
-    fn new([tangent, length]: [f64; 2], room: f64, surface: impl Fn(f64) -> (f64, f64)) -> Self {
+    /// The fade in a `room` of the lean `tangent` of layers that take this length of the surface,
+    /// of surfaces with a thickness and a curvature at each distance.
+    pub fn new(
+        [tangent, length]: [f64; 2],
+        room: f64,
+        surface: impl Fn(f64) -> (f64, f64),
+    ) -> Self {
         let step = length.abs() / STEPS;
         let part = (length.abs() / room.max(f64::MIN_POSITIVE)).max(FADE);
         let mut lean = vec![tangent];
@@ -135,7 +143,8 @@ impl Fade {
         Self { step, lean }
     }
 
-    fn at(&self, x: f64) -> Option<f64> {
+    /// The lean at a distance; `None` beyond its reach.
+    pub fn at(&self, x: f64) -> Option<f64> {
         let place = x / self.step;
         let i = place as usize;
         let [a, b] = [self.lean.get(i)?, self.lean.get(i + 1)?];

@@ -83,7 +83,7 @@ impl Outline {
         if is_closed {
             points[last] = points[0];
         }
-        let is_smooth = sharp.is_empty() && is_smooth(&points, is_closed);
+        let is_smooth = is_smooth(&points, is_closed);
         if !is_smooth {
             points = without_rounding(points, length);
             last = points.len() - 1;
@@ -158,7 +158,12 @@ impl Outline {
                 u,
             }
         };
-        self.pieces.windows(2).map(corner).collect()
+        let end = self.start[0] + self.start[1] * STEPS as f64;
+        let starts = |pair: &&[[Spline; 2]]| pair[1][0].positions()[0];
+        // pieces may begin in the overlap of both ends
+        let pairs = self.pieces.windows(2);
+        let pairs = pairs.filter(|pair| starts(pair) > self.start[0] && starts(pair) < end);
+        pairs.map(corner).collect()
     }
 
     /// The arc length at which a measure of points is largest, by golden section around the best
@@ -263,7 +268,7 @@ impl Outline {
         self.base
     }
 
-    /// Whether there is no corner.
+    /// Whether there is no corner at the trailing edge.
     pub fn is_smooth(&self) -> bool {
         self.is_smooth
     }

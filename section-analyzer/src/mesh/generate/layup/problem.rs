@@ -4,6 +4,33 @@ use shared_geom::error::Explain;
 
 use super::super::super::short;
 
+/// What stands between both sides.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Upright {
+    /// The web of this name.
+    Web(String),
+    /// A bound of the fill of this name.
+    Bound(String),
+}
+
+impl Upright {
+    /// The name of the web or fill.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Web(name) | Self::Bound(name) => name,
+        }
+    }
+}
+
+impl std::fmt::Display for Upright {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Web(name) => write!(to, "web \"{name}\""),
+            Self::Bound(name) => write!(to, "the bound of fill \"{name}\""),
+        }
+    }
+}
+
 /// A layup that cannot be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LayupProblem {
@@ -41,10 +68,10 @@ pub enum LayupProblem {
         arcs: [f64; 2],
     },
     /// Arcs of a web that are not in order.
-    #[error("web \"{web}\" stands at arc {} and {}, expected 0 < suction side < pressure side < 1", short(.arcs[0]), short(.arcs[1]))]
+    #[error("{web} stands at arc {} and {}, expected 0 < suction side < pressure side < 1", short(.arcs[0]), short(.arcs[1]))]
     WebArcs {
-        /// The web.
-        web: String,
+        /// The web, or the bound of a fill.
+        web: Upright,
         /// Its arcs [-].
         arcs: [f64; 2],
     },
@@ -70,20 +97,20 @@ pub enum LayupProblem {
         radius: f64,
     },
     /// A web that leaves the contour.
-    #[error("web \"{web}\" does not meet the inner face of the {side} side near arc {}", short(*.arc))]
+    #[error("{web} does not meet the inner face of the {side} side near arc {}", short(*.arc))]
     WebOutside {
-        /// The web.
-        web: String,
+        /// The web, or the bound of a fill.
+        web: Upright,
         /// The side.
         side: &'static str,
         /// Its arc [-].
         arc: f64,
     },
     /// A web where the plies of both sides meet.
-    #[error("web \"{web}\" stands at arc {} of the {side} side, where the layers of both sides meet (from arc {} to {})", short(*.arc), short(.contact[0]), short(.contact[1]))]
+    #[error("{web} stands at arc {} of the {side} side, where the layers of both sides meet (from arc {} to {})", short(*.arc), short(.contact[0]), short(.contact[1]))]
     WebInContact {
-        /// The web.
-        web: String,
+        /// The web, or the bound of a fill.
+        web: Upright,
         /// The side.
         side: &'static str,
         /// Arc of its foot [-].
@@ -92,20 +119,72 @@ pub enum LayupProblem {
         contact: [f64; 2],
     },
     /// Two webs whose feet overlap.
-    #[error("the feet of webs \"{}\" and \"{}\" overlap on the {side} side by {}", .webs[0], .webs[1], short(*.overlap))]
+    #[error("the feet of {} and {} overlap on the {side} side by {}", .webs[0], .webs[1], short(*.overlap))]
     WebsOverlap {
-        /// The webs.
-        webs: [String; 2],
+        /// The webs, or bounds of fills.
+        webs: [Upright; 2],
         /// The side.
         side: &'static str,
         /// Length of the overlap [unit of the mesh].
         overlap: f64,
     },
     /// Two webs that cross.
-    #[error("webs \"{}\" and \"{}\" cross: they are in another order on the pressure side", .webs[0], .webs[1])]
+    #[error("{} and {} cross: they are in another order on the pressure side", .webs[0], .webs[1])]
     WebsCross {
-        /// The webs.
-        webs: [String; 2],
+        /// The webs, or bounds of fills.
+        webs: [Upright; 2],
+    },
+    /// A layer inside of a spar that goes behind its web.
+    #[error("layer \"{layer}\" is inside of the spar with web \"{web}\", and goes behind the web")]
+    BehindSpar {
+        /// The layer.
+        layer: String,
+        /// The web.
+        web: String,
+    },
+    /// A layer behind the web of a spar that reaches it.
+    #[error("layer \"{layer}\" behind the spar with web \"{web}\" reaches the web")]
+    AtSpar {
+        /// The layer.
+        layer: String,
+        /// The web.
+        web: String,
+    },
+    /// Layers of a spar that do not continue along its web.
+    #[error(
+        "the layers along web \"{web}\" are {expected} thick, those inside of the spar at its {side} end {found}, expected the same"
+    )]
+    SparPlies {
+        /// The web.
+        web: String,
+        /// The side.
+        side: &'static str,
+        /// Thicknesses at its end [unit of the mesh].
+        found: String,
+        /// Thicknesses along it [unit of the mesh].
+        expected: String,
+    },
+    /// A fill whose bound is a web that does not stand.
+    #[error("fill \"{fill}\" is bounded by web \"{web}\", which has no plies here")]
+    FillBound {
+        /// The fill.
+        fill: String,
+        /// The web.
+        web: String,
+    },
+    /// A fill without a space.
+    #[error("there is no space for fill \"{fill}\" between shell and webs")]
+    NoSpace {
+        /// The fill.
+        fill: String,
+    },
+    /// A space that cannot be divided into triangles.
+    #[error("the sides of a space of fill \"{fill}\" touch each other; a node of it is at ({}, {})", short(.position[0]), short(.position[1]))]
+    SpaceShape {
+        /// The fill.
+        fill: String,
+        /// A node of the space [unit of the mesh].
+        position: [f64; 2],
     },
     /// Cells that fold.
     #[error("{count} cells fold, the first one in layer \"{layer}\" at ({}, {})", short(.position[0]), short(.position[1]))]
@@ -150,18 +229,27 @@ impl LayupProblem {
             | Self::Arcs { layer, .. }
             | Self::Tight { layer, .. }
             | Self::Folded { layer, .. }
-            | Self::Area { layer, .. } => Some(layer),
+            | Self::Area { layer, .. }
+            | Self::BehindSpar { layer, .. }
+            | Self::AtSpar { layer, .. } => Some(layer),
+            Self::SparPlies { web, .. } => Some(web),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
-            | Self::WebInContact { web, .. } => Some(web),
-            Self::WebsOverlap { webs, .. } | Self::WebsCross { webs } => Some(&webs[0]),
+            | Self::WebInContact { web, .. } => Some(web.name()),
+            Self::WebsOverlap { webs, .. } | Self::WebsCross { webs } => Some(webs[0].name()),
+            Self::NoSpace { fill }
+            | Self::SpaceShape { fill, .. }
+            | Self::FillBound { fill, .. } => Some(fill),
             _ => None,
         }
     }
 
     /// Whether other cells may solve the problem.
     pub(super) fn is_of_cells(&self) -> bool {
-        matches!(self, Self::Folded { .. } | Self::Unsound { .. })
+        matches!(
+            self,
+            Self::Folded { .. } | Self::Unsound { .. } | Self::SpaceShape { .. }
+        )
     }
 }
 
@@ -187,6 +275,19 @@ impl Explain for LayupProblem {
             Self::Area { .. } => {
                 "begin the contour at a corner of its rear, give its corners twice, or use thinner layers"
             }
+            Self::BehindSpar { .. } => {
+                "list it before the layers of the spar, or end it at the web"
+            }
+            Self::AtSpar { .. } => "end it before the web, by half the length of its drop or more",
+            Self::SparPlies { .. } => {
+                "a layer inside of the spar that is not along the web needs one of its thickness along \
+                 the web, which may be elsewhere on the surfaces"
+            }
+            Self::NoSpace { .. } => {
+                "fills before it may have taken it, its bounds may be in the wrong order, or the layers \
+                 of both sides meet there"
+            }
+            Self::SpaceShape { .. } => "thinner layers, or other cells (size)",
             Self::TooManyCells { .. } => "larger cells",
             _ => return None,
         };

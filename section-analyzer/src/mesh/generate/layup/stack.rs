@@ -4,7 +4,7 @@
 //! centered on it, so that its area is exact and two layers that abut have a constant
 //! total thickness. Layers that end at one place have one ramp.
 
-use super::types::Layer;
+use super::types::{Layer, SAME_ARC, Spar};
 
 /// Part of the size of cells within which ends are one place.
 const ONE_PLACE: f64 = 0.1;
@@ -23,6 +23,8 @@ pub(super) struct Stack {
     courses: Vec<Course>,
     perimeter: f64,
     is_ring: bool,
+    /// Arc lengths of the corners of a spar.
+    spar: Option<[f64; 2]>,
 }
 
 /// A layer over the arc length.
@@ -32,6 +34,8 @@ struct Course {
     thickness: f64,
     /// Cells through it.
     cells: usize,
+    /// Whether it is inside of a spar.
+    is_inside: bool,
     /// Begin and end of the ramps at its start and its end; `None` at a trailing edge.
     ramps: [Option<[f64; 2]>; 2],
 }
@@ -51,14 +55,17 @@ impl Stack {
     /// trailing edge, and ramps there are at most `seam` long; else both sides end at
     /// `edges`.
     pub fn new(
-        layers: &[Layer],
+        (layers, spar): (&[Layer], Option<&Spar>),
         perimeter: f64,
         size: f64,
         (is_ring, edges, seam): (bool, [f64; 2], f64),
     ) -> Self {
+        let has = |number, layer| spar.is_some_and(|spar| spar.has(number, layer));
         let mut courses: Vec<Course> = layers
             .iter()
-            .map(|layer| Course {
+            .enumerate()
+            .map(|(number, layer)| Course {
+                is_inside: has(number, layer),
                 name: layer.name.clone(),
                 thickness: layer.thickness,
                 cells: (layer.thickness / (2.0 * size)).ceil().clamp(1.0, 50.0) as usize,
@@ -81,7 +88,9 @@ impl Stack {
             let usual = layer.thickness.clamp(LEAST_RAMP * size, size);
             let ramp = layer.taper.unwrap_or(usual);
             for (which, at) in [from, to].into_iter().enumerate() {
-                if reaches[which] && !is_ring {
+                let arc = [layer.from, layer.to][which];
+                let at_web = spar.is_some_and(|spar| (spar.arcs[which] - arc).abs() < SAME_ARC);
+                if (reaches[which] && !is_ring) || (at_web && courses[index].is_inside) {
                     continue;
                 }
                 let seam_at = [0.0, perimeter][which];
@@ -101,7 +110,23 @@ impl Stack {
             courses,
             perimeter,
             is_ring,
+            spar: None,
         }
+    }
+
+    /// Ends the layers inside of a spar at its corners.
+    pub fn end_inside(&mut self, corners: [f64; 2]) {
+        self.spar = Some(corners);
+    }
+
+    /// Whether a layer is inside of a spar.
+    pub fn is_inside(&self, layer: usize) -> bool {
+        self.courses[layer].is_inside
+    }
+
+    /// Thickness of the layers before one.
+    pub fn before(&self, layer: usize, s: f64) -> f64 {
+        (0..layer).map(|layer| self.thickness(layer, s)).sum()
     }
 
     /// Number of layers.
@@ -122,7 +147,11 @@ impl Stack {
     /// Thickness of a layer at an arc length.
     pub fn thickness(&self, layer: usize, s: f64) -> f64 {
         let course = &self.courses[layer];
-        let part = if self.is_ring {
+        let is_behind = |[from, to]: [f64; 2]| s < from || s > to;
+        if course.is_inside && self.spar.is_some_and(is_behind) {
+            return 0.0;
+        }
+        let part = if self.is_ring && !course.is_inside {
             let turns = [s, s + self.perimeter, s - self.perimeter];
             turns
                 .into_iter()

@@ -73,7 +73,7 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
     let near = NEAR * wall.size;
     let mut all = fixed.clone();
     for s in wall.stack.marks() {
-        let is_free = zone_of(wall, s).is_none() && foot_of(webs, s, 0.0).is_none();
+        let is_free = zone_of(wall, s).is_none() && !is_under(webs, s, 0.0);
         let is_apart = all.iter().all(|known| apart(wall, known.s, s) > near);
         if is_free && is_apart && is_inside(wall, s) {
             all.push(single(s));
@@ -122,15 +122,15 @@ fn zone_of(wall: &Wall, s: f64) -> Option<[f64; 2]> {
         .find(|zone| x >= zone[0] && x <= zone[1])
 }
 
-/// The web whose foot is around a point of the contour, or nearer than a length.
-fn foot_of(webs: &[Standing], s: f64, near: f64) -> Option<usize> {
-    let is_under = |web: &&Standing| {
+/// Whether the foot of a web is around a point of the contour, or nearer than a length.
+fn is_under(webs: &[Standing], s: f64, near: f64) -> bool {
+    let is_under = |web: &Standing| {
         (0..2).any(|side| {
             let [low, high] = web.range(side);
             s > low - near && s < high + near
         })
     };
-    webs.iter().find(is_under).map(|web| web.web)
+    webs.iter().any(is_under)
 }
 
 /// The x of the pairs of a zone.
@@ -162,7 +162,7 @@ fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark>
     let near = NEAR * wall.size;
     let is_free = |mark: &Mark| {
         let mut places = (0..2).map(|side| wall.pairs.at(side, mark.at));
-        mark.is_fixed || places.all(|s| foot_of(webs, s, near).is_none())
+        mark.is_fixed || !places.any(|s| is_under(webs, s, near))
     };
     marks.retain(is_free);
     marks
@@ -217,7 +217,7 @@ fn divided(wall: &Wall, webs: &[Standing], marks: &[Station]) -> Vec<Station> {
         let middle = (0.5 * (from + to)).rem_euclid(wall.outline.perimeter());
         let is_paired = pair[0].pair.is_some() && pair[1].pair.is_some();
         let is_contact = || is_paired && wall.column(middle).is_closed;
-        if foot_of(webs, middle, 0.0).is_some() || is_contact() {
+        if is_under(webs, middle, 0.0) || is_contact() {
             continue;
         }
         all.extend(

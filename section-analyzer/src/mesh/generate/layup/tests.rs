@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::outline::Outline;
 use super::pairs::Pairs;
 use super::stack::Stack;
-use super::types::Layer;
+use super::types::{Layer, LayupSection};
 
 fn circle(count: usize) -> Vec<[f64; 2]> {
     let at = |i: usize| {
@@ -81,7 +81,7 @@ fn areas_of_layers_are_exact() {
         layer(0.02, 0.0, 0.05),
     ];
     for is_ring in [true, false] {
-        let stack = Stack::new(&layers, 10.0, 0.1, (is_ring, [0.0, 10.0], 1.0));
+        let stack = Stack::new((&layers, None), 10.0, 0.1, (is_ring, [0.0, 10.0], 1.0));
         let exact = [0.02, 0.03, 0.01];
         for (index, exact) in exact.into_iter().enumerate() {
             let count = 100_000;
@@ -114,7 +114,7 @@ fn sides_meet_where_the_layers_fill_the_height() {
         assert!((pairs.x(0, pair.s[0]) - x).abs() < 1e-9);
     }
     let stack = Stack::new(
-        &[layer(0.1, 0.0, 1.0)],
+        (&[layer(0.1, 0.0, 1.0)], None),
         outline.perimeter(),
         0.05,
         (false, outline.corners(), 0.0),
@@ -130,4 +130,60 @@ fn sides_meet_where_the_layers_fill_the_height() {
         "{contacts:?} {exact}"
     );
     assert!((contacts[0][1] - 1.0).abs() < 1e-12);
+}
+
+/// A box 2 by 1 with a wall of 0.05, whose points begin in the middle of a side, and with a corner
+/// of 30 degrees and 1 at the foremost side: the area is exact for straight faces,
+///
+/// ```text
+/// t P - t^2 sum tan(turn/2)
+/// ```
+#[test]
+fn closed_contours_may_begin_anywhere() {
+    let corners: [[f64; 2]; 5] = [
+        [-1.0, 0.5],
+        [1.0, 0.5],
+        [1.2, 0.0],
+        [1.0, -0.5],
+        [-1.0, -0.5],
+    ];
+    let side = |i: usize| [corners[i % 5], corners[(i + 1) % 5]];
+    let length = |[a, b]: [[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+    let angle = |i: usize| {
+        let [a, b] = [side(i), side(i + 1)].map(|[a, b]| [b[0] - a[0], b[1] - a[1]]);
+        (a[1] * b[0] - a[0] * b[1]).atan2(a[0] * b[0] + a[1] * b[1])
+    };
+    let thickness: f64 = 0.05;
+    let exact = (0..5).map(|i| thickness * length(side(i))).sum::<f64>()
+        - (0..5)
+            .map(|i| thickness * thickness * (0.5 * angle(i)).tan())
+            .sum::<f64>();
+    for (start, part) in [(4, 0.5), (4, 0.2), (0, 0.5), (3, 0.7)] {
+        let mut points = Vec::new();
+        for k in 0..=5 {
+            let [a, b] = side(start + k);
+            let range = match k {
+                0 => part..=1.0,
+                5 => 0.0..=part,
+                _ => 0.0..=1.0,
+            };
+            for i in 0..=10 {
+                let t = range.start() + (range.end() - range.start()) * f64::from(i) / 10.0;
+                points.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+            }
+        }
+        let section = LayupSection {
+            contour: points,
+            layers: vec![layer(thickness, 0.0, 1.0)],
+            webs: Vec::new(),
+            spar: None,
+            fills: Vec::new(),
+            size: None,
+        };
+        let made = section.generate();
+        let made = made.unwrap_or_else(|problem| panic!("{start} {part}: {problem}"));
+        let error = made.areas[0].meshed / exact - 1.0;
+        assert!(error.abs() < 1e-9, "{start} {part}: {error:e}");
+        assert!((made.areas[0].nominal / exact - 1.0).abs() < 1e-9);
+    }
 }

@@ -2,7 +2,10 @@
 
 use shared_geom::mesh::Mesh;
 
-use super::problem::LayupProblem;
+use super::problem::{LayupProblem, Upright};
+
+/// Largest number of cells of a section.
+pub(super) const MOST_CELLS: usize = 200_000;
 
 /// A section given by its layup. Lengths are in one unit, the unit of the mesh.
 ///
@@ -19,6 +22,10 @@ pub struct LayupSection {
     pub layers: Vec<Layer>,
     /// Webs.
     pub webs: Vec<Web>,
+    /// The spar that turns into a web, if there is one.
+    pub spar: Option<Spar>,
+    /// Fills of the spaces between shell and webs.
+    pub fills: Vec<Fill>,
     /// Largest length of cells along the contour; 1/120 of its length without it
     /// [unit of the mesh].
     pub size: Option<f64>,
@@ -58,6 +65,50 @@ pub struct WebPly {
     pub name: String,
     /// Thickness [unit of the mesh].
     pub thickness: f64,
+}
+
+/// Arcs that differ by less are equal.
+pub(super) const SAME_ARC: f64 = 1e-9;
+
+/// A spar around the nose: layers of the shell that turn into a web, mitred at its corners. The
+/// layers after its first one are inside of it, or behind its web.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spar {
+    /// Name of the web.
+    pub web: String,
+    /// Arcs of the outer, aft face of the web on the suction and the pressure side [-].
+    pub arcs: [f64; 2],
+    /// Numbers of the layers along the web, from the outside in.
+    pub layers: Vec<usize>,
+}
+
+impl Spar {
+    /// Whether a layer is inside of it, at least in part.
+    pub(super) fn has(&self, number: usize, layer: &Layer) -> bool {
+        let is_later = self.layers.first().is_some_and(|first| number >= *first);
+        let [suction, pressure] = self.arcs;
+        is_later && layer.to > suction + SAME_ARC && layer.from < pressure - SAME_ARC
+    }
+}
+
+/// A material that fills the spaces between shell and webs, those that the fills before it leave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fill {
+    /// Its name, and the physical surface of its cells.
+    pub name: String,
+    /// The web or line behind it; without it it goes to the trailing edge.
+    pub ahead_of: Option<Bound>,
+    /// The web or line ahead of it; without it it goes to the nose.
+    pub aft_of: Option<Bound>,
+}
+
+/// A bound of a fill.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Bound {
+    /// The web of this name.
+    Web(String),
+    /// The line between two arcs, on the suction and the pressure side [-].
+    Line([f64; 2]),
 }
 
 /// The mesh of a section.
@@ -102,6 +153,15 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
             return Err(LayupProblem::Thickness { layer, thickness });
         }
     }
+    for fill in &section.fills {
+        let name = fill.name.as_str();
+        if names.contains(&name) {
+            let layer = name.to_owned();
+            return Err(LayupProblem::NameTwice { layer });
+        }
+        names.push(name);
+        check_bounds(section, fill)?;
+    }
     if section.layers.is_empty() {
         return Err(LayupProblem::NoLayers);
     }
@@ -114,13 +174,69 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
             });
         }
     }
+    if let Some(spar) = &section.spar {
+        check_spar(section, spar)?;
+    }
     for web in &section.webs {
         let [suction, pressure] = web.arcs;
         if !(suction > 0.0 && pressure < 1.0 && suction < pressure) {
             return Err(LayupProblem::WebArcs {
-                web: web.name.clone(),
+                web: Upright::Web(web.name.clone()),
                 arcs: web.arcs,
             });
+        }
+    }
+    Ok(())
+}
+
+/// Checks that the layers of a spar exist, and that those inside of it end at its web.
+fn check_spar(section: &LayupSection, spar: &Spar) -> Result<(), LayupProblem> {
+    let [suction, pressure] = spar.arcs;
+    let are_there = spar
+        .layers
+        .iter()
+        .all(|layer| *layer < section.layers.len());
+    let is_in_order = suction > 0.0 && pressure < 1.0 && suction < pressure;
+    if spar.layers.is_empty() || !are_there || !is_in_order {
+        return Err(LayupProblem::WebArcs {
+            web: Upright::Web(spar.web.clone()),
+            arcs: spar.arcs,
+        });
+    }
+    for (number, layer) in section.layers.iter().enumerate() {
+        let goes_behind = layer.from < suction - SAME_ARC || layer.to > pressure + SAME_ARC;
+        if spar.has(number, layer) && goes_behind {
+            return Err(LayupProblem::BehindSpar {
+                layer: layer.name.clone(),
+                web: spar.web.clone(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Checks that the webs of the bounds of a fill stand, and that its lines go from side to side.
+fn check_bounds(section: &LayupSection, fill: &Fill) -> Result<(), LayupProblem> {
+    for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
+        match bound {
+            Bound::Web(name) => {
+                let is_it = |web: &Web| web.name == *name && !web.plies.is_empty();
+                let is_spar = section.spar.iter().any(|spar| spar.web == *name);
+                if !is_spar && !section.webs.iter().any(is_it) {
+                    return Err(LayupProblem::FillBound {
+                        fill: fill.name.clone(),
+                        web: name.clone(),
+                    });
+                }
+            }
+            Bound::Line([suction, pressure]) => {
+                if !(*suction > 0.0 && *pressure < 1.0 && suction < pressure) {
+                    return Err(LayupProblem::WebArcs {
+                        web: Upright::Bound(fill.name.clone()),
+                        arcs: [*suction, *pressure],
+                    });
+                }
+            }
         }
     }
     Ok(())

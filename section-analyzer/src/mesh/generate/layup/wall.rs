@@ -1,21 +1,11 @@
-//! The wall of a section: the columns through its layers.
-//!
-//! The direction of a column is the normal, except near corners of the contour and where
-//! the layers of both sides meet:
-//!
-//! ```text
-//! v = n + M e                                beside a mitred corner,
-//! v = u / (u . n)                            on the line u of a pair in a contact,
-//! v = (1 - w) n + w u / (u . n)              before and behind the contact,
-//! ```
-//!
-//! all with v . n = 1.
+//! The wall of a section: its layers, mitres and contacts.
 
 use super::super::super::distance;
 use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
 use super::pairs::{FOREMOST, Pair, Pairs};
-use super::problem::LayupProblem;
+use super::problem::{LayupProblem, Upright};
+use super::spar::{SIDES, SparWall};
 use super::stack::Stack;
 use super::types::LayupSection;
 
@@ -61,19 +51,8 @@ pub(super) struct Wall {
     pub size: f64,
     /// Mitres at its corners.
     pub mitres: Vec<Mitre>,
-}
-
-/// A column of cells.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Column {
-    /// Its point on the contour.
-    pub point: [f64; 2],
-    /// Its direction, of unit component along the normal.
-    pub along: [f64; 2],
-    /// Depths of the faces of layers and of the cells in them, from 0.
-    pub depths: Vec<f64>,
-    /// Whether it ends at a contact.
-    pub is_closed: bool,
+    /// Its spar that turns into a web.
+    pub spar: Option<SparWall>,
 }
 
 impl Wall {
@@ -84,21 +63,21 @@ impl Wall {
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
-        let ring = Self::of_kind(section, outline, size, true);
+        let ring = Self::of_kind(section, outline, size, true)?;
         let mut wall = match outline.is_smooth() {
             true => Self {
                 edge: Edge::Smooth,
                 ..ring
             },
             false if ring.has_wall() => ring,
-            false => Self::of_kind(section, outline, size, false),
+            false => Self::of_kind(section, outline, size, false)?,
         };
         if wall.edge == Edge::Wall {
             wall.find_contacts(reach);
             let fade = wall.rear().map(Mitre::reach).fold(0.0, f64::max);
             let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - fade / wall.chord();
             if wall.zones.iter().any(meets) {
-                wall = Self::of_kind(section, outline, size, false);
+                wall = Self::of_kind(section, outline, size, false)?;
             }
         }
         if wall.edge == Edge::Face {
@@ -106,10 +85,16 @@ impl Wall {
             wall.find_contacts(reach);
         }
         wall.check_radii()?;
+        wall.check_spar()?;
         Ok(wall)
     }
 
-    fn of_kind(section: &LayupSection, outline: &Outline, size: f64, is_ring: bool) -> Self {
+    fn of_kind(
+        section: &LayupSection,
+        outline: &Outline,
+        size: f64,
+        is_ring: bool,
+    ) -> Result<Self, LayupProblem> {
         let ends = outline.corners();
         let seam = if outline.is_smooth() {
             f64::INFINITY
@@ -117,8 +102,12 @@ impl Wall {
             0.8 * outline.base()
         };
         let kind = (is_ring, ends, seam);
-        let stack = Stack::new(&section.layers, outline.perimeter(), size, kind);
-        Self {
+        let layers = (&section.layers[..], section.spar.as_ref());
+        let mut stack = Stack::new(layers, outline.perimeter(), size, kind);
+        let spar = section.spar.as_ref();
+        let spar = spar.map(|spar| SparWall::new(spar, outline, &mut stack));
+        Ok(Self {
+            spar: spar.transpose()?,
             mitres: mitres(outline, &stack, is_ring && !outline.is_smooth()),
             stack,
             pairs: Pairs::new(outline, ends),
@@ -128,7 +117,33 @@ impl Wall {
             contacts: Vec::new(),
             zones: Vec::new(),
             size,
+        })
+    }
+
+    /// Refuses a spar whose corners are where columns lean toward a contact.
+    fn check_spar(&self) -> Result<(), LayupProblem> {
+        let Some(spar) = &self.spar else {
+            return Ok(());
+        };
+        for (side, s) in spar.corners.into_iter().enumerate() {
+            let x = match self.edge {
+                Edge::Smooth => 0.0,
+                _ => self.pairs.x(side, s),
+            };
+            let zone = self.zones.iter().find(|zone| x >= zone[0] && x <= zone[1]);
+            if let Some(zone) = zone {
+                let perimeter = self.outline.perimeter();
+                let mut contact = zone.map(|x| self.pairs.at(side, x) / perimeter);
+                contact.sort_by(f64::total_cmp);
+                return Err(LayupProblem::WebInContact {
+                    web: Upright::Web(spar.web.clone()),
+                    side: SIDES[side],
+                    arc: spar.arcs[side],
+                    contact,
+                });
+            }
         }
+        Ok(())
     }
 
     fn chord(&self) -> f64 {
@@ -289,180 +304,5 @@ impl Wall {
             thickness,
             radius,
         }
-    }
-
-    /// The column at an arc length.
-    pub fn column(&self, s: f64) -> Column {
-        let s = match self.edge {
-            Edge::Face => s,
-            _ => s.rem_euclid(self.outline.perimeter()),
-        };
-        let point = self.outline.position(s);
-        let side = usize::from(s > self.outline.nose());
-        let x = match self.edge {
-            Edge::Smooth => 0.0,
-            _ => self.pairs.x(side, s).min(1.0),
-        };
-        let Some(weight) = self.weight(s, x) else {
-            let (along, lean) = self.mitred(s);
-            let depths = self.depths(s, None).into_iter();
-            let bend = if lean == 0.0 {
-                0.0
-            } else {
-                self.outline.bend(s)
-            };
-            return Column {
-                point,
-                along,
-                depths: depths
-                    .map(|depth| leaned_depth(depth, lean, bend))
-                    .collect(),
-                is_closed: false,
-            };
-        };
-        let partner = self.pairs.at(1 - side, x);
-        let pair = self.pairs.between(if side == 0 {
-            [s, partner]
-        } else {
-            [partner, s]
-        });
-        self.leaned(&pair, side, weight)
-    }
-
-    /// The column of a side of a pair.
-    pub fn leaned(&self, pair: &Pair, side: usize, weight: f64) -> Column {
-        let s = pair.s[side];
-        let (n, sign) = (self.outline.inward(s), [1.0, -1.0][side]);
-        let lean = weight * sign / pair.cosines[side];
-        let along = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
-        let is_closed = weight >= 1.0;
-        let limit = is_closed.then(|| pair.limit(side, &self.stack));
-        Column {
-            point: self.outline.position(s),
-            along,
-            depths: self.depths(s, limit),
-            is_closed,
-        }
-    }
-
-    /// Part of the direction of the pair in the direction of a column: 1 in a contact, `None` far
-    /// from contacts.
-    fn weight(&self, s: f64, x: f64) -> Option<f64> {
-        if self.zones.is_empty() || self.outline.is_smooth() {
-            return None;
-        }
-        let corners = self.outline.corners();
-        if self.edge == Edge::Wall && (s < corners[0] || s > corners[1]) {
-            return None;
-        }
-        self.weight_at(x)
-    }
-
-    /// The same for a pair at x.
-    pub fn weight_at(&self, x: f64) -> Option<f64> {
-        const SAME: f64 = 1e-9;
-        let zone = self
-            .zones
-            .iter()
-            .find(|zone| x >= zone[0] && x <= zone[1] + SAME)?;
-        let mut weight: f64 = 0.0;
-        for contact in self
-            .contacts
-            .iter()
-            .filter(|one| one[0] >= zone[0] && one[1] <= zone[1])
-        {
-            let part = if x < contact[0] - SAME {
-                let from = zone[0];
-                (x - from) / (contact[0] - from)
-            } else if x > contact[1] + SAME {
-                (zone[1] - x) / (zone[1] - contact[1])
-            } else {
-                1.0
-            };
-            weight = weight.max(part.clamp(0.0, 1.0));
-        }
-        Some(if weight >= 1.0 {
-            1.0
-        } else {
-            weight * weight * (3.0 - 2.0 * weight)
-        })
-    }
-
-    /// Direction of a column far from contacts, and its lean.
-    fn mitred(&self, s: f64) -> ([f64; 2], f64) {
-        let n = self.outline.inward(s);
-        // t, along the contour
-        let t = [-n[1], n[0]];
-        let lean = self
-            .mitres
-            .iter()
-            .find_map(|one| one.part(s))
-            .unwrap_or(0.0);
-        ([0, 1].map(|k| n[k] + lean * t[k]), lean)
-    }
-
-    /// Depths of the faces of layers and of the cells in them, cut at a limit.
-    fn depths(&self, s: f64, limit: Option<f64>) -> Vec<f64> {
-        let mut faces = self.stack.depths(s);
-        if let Some(limit) = limit {
-            self.cut(&mut faces, limit);
-        }
-        let mut depths = vec![0.0];
-        let mut outer = 0.0;
-        for (layer, inner) in faces.into_iter().enumerate() {
-            let cells = self.stack.cells(layer);
-            let part = |i: usize| outer + (inner - outer) * i as f64 / cells as f64;
-            depths.extend((1..cells).map(part));
-            depths.push(inner);
-            outer = inner;
-        }
-        depths
-    }
-
-    /// Cuts layers at a depth, and stretches the innermost one to it.
-    fn cut(&self, faces: &mut [f64], limit: f64) {
-        const THIN: f64 = 0.03;
-        let count = faces.len();
-        for face in faces.iter_mut() {
-            *face = face.min(limit);
-        }
-        for layer in (0..count).rev() {
-            let outer = if layer == 0 { 0.0 } else { faces[layer - 1] };
-            let rest = faces[layer] - outer;
-            if layer > 0
-                && faces[layer] >= limit
-                && rest > 0.0
-                && rest < THIN * self.stack.full(layer)
-            {
-                faces[layer - 1] = limit;
-            }
-        }
-        let outer = |layer: usize, faces: &[f64]| if layer == 0 { 0.0 } else { faces[layer - 1] };
-        let last = (0..count)
-            .rev()
-            .find(|layer| faces[*layer] > outer(*layer, faces));
-        for face in &mut faces[last.unwrap_or(0)..] {
-            *face = limit;
-        }
-    }
-}
-
-/// The part of a leaned column, in its direction, with this depth normal to a circle of the
-/// curvature of the contour: the root d of `(1 + M^2) k d^2 - 2 d + 2 depth - k depth^2 = 0`.
-fn leaned_depth(depth: f64, lean: f64, bend: f64) -> f64 {
-    let twice = depth * (2.0 - bend * depth);
-    let root = 1.0 - (1.0 + lean * lean) * bend * twice;
-    twice / (1.0 + root.max(0.0).sqrt())
-}
-
-impl Column {
-    /// The point at a depth.
-    pub fn at(&self, depth: f64) -> [f64; 2] {
-        [0, 1].map(|i| self.point[i] + depth * self.along[i])
-    }
-
-    /// Its inner end.
-    pub fn inner(&self) -> [f64; 2] {
-        self.at(self.depths.last().copied().unwrap_or(0.0))
     }
 }

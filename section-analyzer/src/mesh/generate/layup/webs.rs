@@ -9,9 +9,10 @@
 //!
 //! are nodes of the web, so that web and wall share their nodes.
 
-use super::super::super::distance;
-use super::problem::LayupProblem;
-use super::types::{LayupSection, Web};
+use super::line::Line;
+use super::problem::{LayupProblem, Upright};
+use super::spar::SIDES;
+use super::types::{Bound, LayupSection, Web};
 use super::wall::{Edge, Wall};
 
 /// Samples of the inner face of each side.
@@ -20,27 +21,77 @@ const SAMPLES: usize = 240;
 const WIDEST: f64 = 0.6;
 /// Part of the size of cells within which boundaries of cells are one.
 pub(super) const NEAR: f64 = 0.03;
-/// Names of the sides.
-pub(super) const SIDES: [&str; 2] = ["suction", "pressure"];
 
-/// A web on the inner faces.
+/// A web, or a line that bounds a fill, on the inner faces.
 #[derive(Debug, Clone)]
 pub(super) struct Standing {
-    /// Its number in the section.
-    pub web: usize,
+    /// The web; a line that bounds a fill has the name of the fill, and no plies.
+    pub web: Web,
     /// The ply between each boundary and the next one.
     pub plies: Vec<usize>,
     /// Arc lengths of the boundaries on both sides, the foremost first.
     pub stations: [Vec<f64>; 2],
+    line: Line,
+    /// Whether it is the outer face of the web of a spar, whose cells the spar has.
+    pub is_spar: bool,
 }
 
 impl Standing {
+    /// Distance of a point from the middle of the web, positive ahead of it.
+    pub fn offset(&self, point: [f64; 2]) -> f64 {
+        self.line.offset(point)
+    }
+
+    /// Whether it is a web, and not only a line.
+    pub fn is_web(&self) -> bool {
+        self.is_spar || !self.plies.is_empty()
+    }
+
+    fn upright(&self) -> Upright {
+        if self.is_spar {
+            Upright::Web(self.web.name.clone())
+        } else {
+            upright(&self.web)
+        }
+    }
+
     /// The arc lengths between which it meets a side.
     pub fn range(&self, side: usize) -> [f64; 2] {
         let stations = &self.stations[side];
         let (first, last) = (stations[0], stations[stations.len() - 1]);
         [first.min(last), first.max(last)]
     }
+}
+
+fn upright(web: &Web) -> Upright {
+    let name = web.name.clone();
+    if web.plies.is_empty() {
+        Upright::Bound(name)
+    } else {
+        Upright::Web(name)
+    }
+}
+
+/// The webs with plies, and the lines that bound fills.
+fn uprights(section: &LayupSection) -> Vec<Web> {
+    let webs = section.webs.iter().filter(|web| !web.plies.is_empty());
+    let mut all: Vec<Web> = webs.cloned().collect();
+    for fill in &section.fills {
+        for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
+            let Bound::Line(arcs) = bound else {
+                continue;
+            };
+            let is_known = |web: &Web| web.plies.is_empty() && web.arcs == *arcs;
+            if !all.iter().any(is_known) {
+                all.push(Web {
+                    name: fill.name.clone(),
+                    arcs: *arcs,
+                    plies: Vec::new(),
+                });
+            }
+        }
+    }
+    all
 }
 
 /// The inner face of a side: arc lengths and inner ends of columns.
@@ -51,14 +102,25 @@ struct Search<'a> {
     web: &'a Web,
     wall: &'a Wall,
     faces: &'a [Face; 2],
-    origin: [f64; 2],
-    normal: [f64; 2],
+    line: Line,
 }
 
-/// The webs of a section on its wall.
+/// The webs of a section, and the lines that bound its fills, on its wall.
 pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>, LayupProblem> {
-    if section.webs.iter().all(|web| web.plies.is_empty()) {
-        return Ok(Vec::new());
+    let uprights = uprights(section);
+    let spar = wall.spar.as_ref().map(|spar| Standing {
+        web: Web {
+            name: spar.web.clone(),
+            arcs: spar.arcs,
+            plies: Vec::new(),
+        },
+        plies: Vec::new(),
+        stations: spar.corners.map(|s| vec![s]),
+        line: spar.line,
+        is_spar: true,
+    });
+    if uprights.is_empty() {
+        return Ok(spar.into_iter().collect());
     }
     let nose = wall.outline.nose();
     let faces = [0, 1].map(|side| {
@@ -67,36 +129,32 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             .map(|i| (s(i), wall.column(s(i)).inner()))
             .collect()
     });
-    let mut all = Vec::new();
-    for (number, web) in section.webs.iter().enumerate() {
-        if web.plies.is_empty() {
-            continue;
-        }
+    let mut all: Vec<Standing> = spar.into_iter().collect();
+    for web in &uprights {
         let points = web
             .arcs
             .map(|arc| wall.outline.position(arc * wall.outline.perimeter()));
-        let height = distance(points[0], points[1]);
-        let line = [0, 1].map(|i| (points[1][i] - points[0][i]) / height);
         let search = Search {
             web,
             wall,
             faces: &faces,
-            origin: points[0],
-            normal: [-line[1], line[0]],
+            line: Line::between(points),
         };
-        all.push(search.standing(number)?);
+        all.push(search.standing()?);
     }
-    check_order(section, &all)?;
+    check_order(&all)?;
     Ok(all)
 }
 
 impl Search<'_> {
-    fn standing(&self, number: usize) -> Result<Standing, LayupProblem> {
+    fn standing(&self) -> Result<Standing, LayupProblem> {
         let (offsets, plies) = self.boundaries();
         let mut standing = Standing {
-            web: number,
+            web: self.web.clone(),
             plies,
             stations: [self.stations(0, &offsets)?, self.stations(1, &offsets)?],
+            line: self.line,
+            is_spar: false,
         };
         let added = self.added(&standing, &offsets);
         if !added.is_empty() {
@@ -140,9 +198,7 @@ impl Search<'_> {
     }
 
     fn offset(&self, point: [f64; 2]) -> f64 {
-        (0..2)
-            .map(|i| (point[i] - self.origin[i]) * self.normal[i])
-            .sum()
+        self.line.offset(point)
     }
 
     /// Offsets of the ends of ramps under the feet, which become boundaries.
@@ -172,7 +228,7 @@ impl Search<'_> {
     /// Arc lengths of boundaries on a side.
     fn stations(&self, side: usize, offsets: &[f64]) -> Result<Vec<f64>, LayupProblem> {
         let outside = || LayupProblem::WebOutside {
-            web: self.web.name.clone(),
+            web: upright(self.web),
             side: SIDES[side],
             arc: self.web.arcs[side],
         };
@@ -230,7 +286,7 @@ impl Search<'_> {
                 let mut arcs = contact.map(|x| self.wall.pairs.at(side, x) / perimeter);
                 arcs.sort_by(f64::total_cmp);
                 return Err(LayupProblem::WebInContact {
-                    web: self.web.name.clone(),
+                    web: upright(self.web),
                     side: SIDES[side],
                     arc: self.web.arcs[side],
                     contact: arcs,
@@ -242,11 +298,11 @@ impl Search<'_> {
 }
 
 /// Refuses webs that overlap or cross.
-fn check_order(section: &LayupSection, all: &[Standing]) -> Result<(), LayupProblem> {
+fn check_order(all: &[Standing]) -> Result<(), LayupProblem> {
     let mut order: Vec<&Standing> = all.iter().collect();
     order.sort_by(|a, b| a.range(0)[0].total_cmp(&b.range(0)[0]));
     for pair in order.windows(2) {
-        let webs = || [0, 1].map(|i| section.webs[pair[i].web].name.clone());
+        let webs = || [0, 1].map(|i| pair[i].upright());
         let gaps = [
             pair[1].range(0)[0] - pair[0].range(0)[1],
             pair[0].range(1)[0] - pair[1].range(1)[1],

@@ -36,6 +36,13 @@ fn extreme_winds_have_speed_and_shear() {
             &["a.toml:7", "\"wind\" is a speed, a law", "directions alone"],
         ),
         (
+            &of("[air.wind]\nspeed = 48\n", "EOG", ""),
+            &[
+                "48 m/s at the hub, expected less than the extreme speed",
+                "47.6 m/s",
+            ],
+        ),
+        (
             &of("", "EWM 1", "start = 5\nseed = 3\n"),
             &[
                 "\"start\" has no effect: it belongs to events",
@@ -82,6 +89,46 @@ fn a_box_of_a_file_is_scaled() {
     assert!((found.hub_speed - own.hub_speed).abs() < 1e-12);
 }
 
+/// Of keys that would have no effect, or another one than expected, each is reported.
+#[test]
+fn turbulence_is_along_the_direction() {
+    let file = "[air.turbulence]\nfile = \"own.bts\"\n";
+    let keys = [
+        ("turn", "90"),
+        ("upflow", "8"),
+        ("veer", "0.1"),
+        ("exponent", "0.2\nreference_height = 90"),
+        ("vertical_shear", "0.2\nreference_length = 126"),
+        ("horizontal_shear", "0.2\nreference_length = 126"),
+    ];
+    for (key, value) in keys {
+        let words = format!("\"{key}\" is in the wind of [air], expected no such key");
+        assert_refused(&[(&format!("[air.wind]\n{key} = {value}\n{file}"), &[&words])]);
+    }
+    let of_mann = |wind: &str| of(&format!("[air.wind]\nspeed = 12.5\n{wind}"), "NTM", SMALL);
+    assert_refused(&[
+        (
+            &of_mann("turn = 30\n"),
+            &[
+                "\"turn\" is 30 degrees, expected zero",
+                "turn \"direction\"",
+            ],
+        ),
+        (
+            &of_mann("upflow = 8\n"),
+            &["\"upflow\" is 8 degrees", "incline \"up\""],
+        ),
+    ]);
+    // Turned by its direction the wind has the same numbers along and across.
+    let straight = air(&of_mann(""));
+    let turned = air(&of_mann("direction = [0, 1, 0]\n"));
+    for at in [[0.0, 5.0, 95.0], [3.0, -20.0, 80.0]] {
+        let [x, y, z] = velocity(&straight, at, 3.0);
+        let found = velocity(&turned, [-at[1], at[0], at[2]], 3.0);
+        assert_near(found, [-y, x, z]);
+    }
+}
+
 #[test]
 fn wrong_turbulence() {
     let mann = "[air]\nwind = [6, 0, 0]\n[air.turbulence]\nsigma = [1, 1, 1]\n\
@@ -115,6 +162,10 @@ fn wrong_turbulence() {
                 "points = 33\nduration = 600\ntime_step = 0.1\n",
             ),
             &["\"points\" is 33, expected at most 17 with 6000 planes"],
+        ),
+        (
+            &mann.replace("wind = [6, 0, 0]", "altitude = 0"),
+            &["a.toml:5: \"speed\" is 0 m/s at the hub, expected the speed by which"],
         ),
         (
             &of(WIND, "NTM", "reversed = true\n"),

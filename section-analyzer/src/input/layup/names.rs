@@ -1,0 +1,157 @@
+//! Names of places: those that are not in the file or go in circles, and those without a use.
+
+use super::place::{Place, PlaceForm, SIDES};
+use super::problem::{LayupFileProblem, Located};
+use super::{Layup, WrittenFill, WrittenWeb};
+
+/// Points of the contour by their names.
+pub(super) const POINTS: [&str; 4] = ["nose", "leading_edge", "base.suction", "base.pressure"];
+
+/// A place with a name.
+pub(super) enum Found<'a> {
+    Place(&'a Place),
+    /// Face of a web on a side, fore 1 or aft -1.
+    Face(&'a WrittenWeb, usize, f64),
+}
+
+impl Found<'_> {
+    /// The names that it refers to.
+    fn names(&self) -> Vec<&str> {
+        let places = match self {
+            Self::Place(place) => std::slice::from_ref(*place),
+            Self::Face(web, ..) => &web.places[..],
+        };
+        places.iter().filter_map(Place::name).collect()
+    }
+}
+
+impl Place {
+    /// The name of the place that it refers to.
+    fn name(&self) -> Option<&str> {
+        match &self.form {
+            PlaceForm::Named(name) => Some(name),
+            _ => None,
+        }
+    }
+}
+
+impl Layup {
+    /// The places that have names.
+    pub(super) fn known_places(&self) -> Vec<(String, Found<'_>)> {
+        let mut all = Vec::new();
+        for layer in &self.layers {
+            // plies of a layer have its places
+            let layer_name = layer.name.split('/').next().unwrap_or_default();
+            let names = [layer.name.as_str(), layer_name];
+            for name in &names[..1 + usize::from(names[0] != names[1])] {
+                all.push((format!("{name}.start"), Found::Place(&layer.from)));
+                all.push((format!("{name}.end"), Found::Place(&layer.to)));
+            }
+        }
+        for web in &self.webs {
+            for (side, word) in SIDES.iter().enumerate() {
+                let name = format!("{}.{word}", web.name);
+                all.push((format!("{name}.fore"), Found::Face(web, side, 1.0)));
+                all.push((format!("{name}.aft"), Found::Face(web, side, -1.0)));
+                all.push((name, Found::Place(&web.places[side])));
+            }
+        }
+        let named = self.places.iter();
+        all.extend(named.map(|(name, place)| (name.clone(), Found::Place(place))));
+        all
+    }
+
+    /// All places that are given.
+    fn all_places(&self) -> impl Iterator<Item = &Place> {
+        let layers = self.layers.iter();
+        let layers = layers.flat_map(|layer| [&layer.from, &layer.to]);
+        let webs = self.webs.iter().flat_map(|web| &web.places);
+        let fills = self.fills.iter().flat_map(WrittenFill::places);
+        let named = self.places.iter().map(|(_, place)| place);
+        layers.chain(webs).chain(fills).chain(named)
+    }
+
+    /// Names that the file does not have, and circles of names, with the lines that they are on.
+    pub(super) fn wrong_places(&self) -> Vec<Located> {
+        let known = self.known_places();
+        let mut problems: Vec<Located> = Vec::new();
+        let mut seen: Vec<String> = Vec::new();
+        for place in self.all_places() {
+            let mut path = Vec::new();
+            let problem = place.name().and_then(|name| wrong(name, &known, &mut path));
+            let Some(problem) = problem else {
+                continue;
+            };
+            // the plies of a layer have one place, and all places of a circle lead into it
+            let is_seen = match &problem {
+                LayupFileProblem::Circle { places } => places.iter().any(|one| seen.contains(one)),
+                _ => problems.contains(&(place.line, problem.clone())) || path.len() > 1,
+            };
+            if let LayupFileProblem::Circle { places } = &problem {
+                seen.extend(places.iter().cloned());
+            }
+            if !is_seen {
+                problems.push((place.line, problem));
+            }
+        }
+        problems
+    }
+
+    /// Remarks on tables of places that nothing refers to, or whose name another place has.
+    pub(super) fn idle_places(&self) -> Vec<String> {
+        let all: Vec<&str> = self.all_places().filter_map(Place::name).collect();
+        let known = self.known_places();
+        let mut remarks = Vec::new();
+        for (name, place) in &self.places {
+            let others = known.iter().filter(|one| one.0 == *name).count();
+            let at = format!("line {}: place \"{name}\"", place.line);
+            if POINTS.contains(&name.as_str()) {
+                remarks.push(format!(
+                    "{at} has the name of a point of the contour, which is used"
+                ));
+            } else if others > 1 {
+                remarks.push(format!(
+                    "{at} has the name of a place of a layer or web, which is used"
+                ));
+            } else if !all.contains(&name.as_str()) {
+                remarks.push(format!("{at} is not used"));
+            }
+        }
+        remarks
+    }
+}
+
+/// The problem of a name: it, or one that it leads to, is unknown or in a circle; `path` are the
+/// names that led to it.
+fn wrong(
+    name: &str,
+    known: &[(String, Found<'_>)],
+    path: &mut Vec<String>,
+) -> Option<LayupFileProblem> {
+    if POINTS.contains(&name) {
+        return None;
+    }
+    let first = path.iter().position(|one| one == name);
+    path.push(name.to_owned());
+    if let Some(first) = first {
+        let places = path[first..].to_vec();
+        return Some(LayupFileProblem::Circle { places });
+    }
+    let Some((_, found)) = known.iter().find(|one| one.0 == name) else {
+        let points = POINTS.iter().map(|one| (*one).to_owned());
+        return Some(LayupFileProblem::Unknown {
+            kind: "place",
+            found: name.to_owned(),
+            known: points
+                .chain(known.iter().map(|one| one.0.clone()))
+                .collect(),
+        });
+    };
+    for next in found.names() {
+        if let Some(problem) = wrong(next, known, path) {
+            return Some(problem);
+        }
+    }
+    path.pop();
+    None
+}

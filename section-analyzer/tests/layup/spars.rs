@@ -1,0 +1,158 @@
+//! Spars around the nose that turn into a web.
+
+use std::path::Path;
+
+use section_analyzer::analysis::analyze;
+use section_analyzer::input::layup::{self, Layup};
+use section_analyzer::output::layup_file;
+
+use crate::files::section;
+
+/// A D-spar in a skin.
+const TEXT: &str = "\
+units = \"SI\"
+[shape]
+naca = \"0018\"
+chord = 1
+[[layer]]
+name = \"skin\"
+material = \"metal\"
+thickness = 0.001
+[[layer]]
+name = \"spar\"
+material = \"metal\"
+thickness = 0.004
+web = \"rear\"
+[[layer]]
+name = \"cap\"
+material = \"metal\"
+thickness = 0.002
+from = \"rear.suction\"
+to = { x = 0.2, side = \"suction\" }
+[[layer]]
+name = \"cap_below\"
+material = \"metal\"
+thickness = 0.002
+from = { x = 0.2, side = \"pressure\" }
+to = \"rear.pressure\"
+[[layer]]
+name = \"filler\"
+material = \"metal\"
+thickness = 0.002
+from = { x = 0.2, side = \"suction\" }
+to = { x = 0.2, side = \"pressure\" }
+web = \"rear\"
+[[web]]
+name = \"rear\"
+at = { x = 0.4 }
+plies = []
+[[fill]]
+name = \"nose\"
+material = \"metal\"
+ahead_of = \"rear\"
+eta = [0.5, 1]
+[material.metal]
+young = 70e9
+poisson = 0.3
+density = 1
+";
+
+fn parse(text: &str) -> Result<Layup, String> {
+    layup::parse(text, Path::new("a.layup.toml")).map_err(|problems| problems.to_string())
+}
+
+/// Areas of all layers are those on the curved surfaces and along the web less the mitres, to 1e-4
+/// (a drop of the caps crosses a curved surface, and mitres are of straight faces there); the mass
+/// is their sum.
+#[test]
+fn layers_of_a_spar_have_their_areas() {
+    let layup = parse(TEXT).unwrap_or_else(|text| panic!("{text}"));
+    let meshed = layup
+        .mesh(0.0)
+        .unwrap_or_else(|problems| panic!("{problems}"));
+    for area in &meshed.areas {
+        println!("{} {:e}", area.name, area.meshed / area.nominal - 1.0);
+    }
+    for area in &meshed.areas[1..] {
+        let error = area.meshed / area.nominal - 1.0;
+        assert!(error.abs() < 2e-4, "{}: {error:e}", area.name);
+    }
+    let found = analyze(&section(&layup, 0.0).section).expect("a solution");
+    let sum: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
+    assert!((found.mass[(0, 0)] / sum - 1.0).abs() < 1e-9);
+    // filled, with the same outer faces
+    let filled = layup
+        .mesh(1.0)
+        .unwrap_or_else(|problems| panic!("{problems}"));
+    let nose = filled.areas.last().expect("an area");
+    assert!(nose.name == "nose" && nose.meshed > 0.02, "{nose:?}");
+    let again = parse(&layup_file(&layup, "a")).unwrap_or_else(|text| panic!("{text}"));
+    for eta in [0.0, 1.0] {
+        let sections = [&layup, &again].map(|layup| layup.section(eta).expect("a section"));
+        assert_eq!(sections[0], sections[1]);
+    }
+}
+
+/// Words, others in their place, and the problem.
+const WRONG: &[(&str, &str, &str)] = &[
+    (
+        "web = \"rear\"",
+        "web = \"raer\"",
+        "error: a.layup.toml:13: web \"raer\" is not in the file\n  help: did you mean \"rear\"?",
+    ),
+    (
+        "plies = []",
+        "plies = [{ name = \"b\", material = \"metal\", thickness = 0.003 }]",
+        "error: a.layup.toml:13: web \"rear\" has plies of its own, and layers that continue along \
+         it, expected one of them",
+    ),
+    (
+        "web = \"rear\"\n[[web]]",
+        "web = \"fore\"\n[[web]]\nname = \"fore\"\nat = { x = 0.2 }\nplies = []\n[[web]]",
+        "error: a.layup.toml:32: layers continue along webs \"rear\" and \"fore\", expected one web",
+    ),
+    (
+        "thickness = 0.002\nfrom = \"rear.suction\"",
+        "thickness = 0.001\nfrom = \"rear.suction\"",
+        "error: a.layup.toml:33: eta 0: the layers along web \"rear\" are 0.004, 0.002 thick, those \
+         inside of the spar at its suction end 0.004, 0.001, expected the same\n  help: a layer inside \
+         of the spar that is not along the web needs one of its thickness along the web, which may be \
+         elsewhere on the surfaces",
+    ),
+    (
+        "from = \"rear.suction\"",
+        "from = 0",
+        "error: a.layup.toml:14: eta 0: layer \"cap\" is inside of the spar with web \"rear\", and \
+         goes behind the web\n  help: list it before the layers of the spar, or end it at the web",
+    ),
+    (
+        "from = { x = 0.2, side = \"pressure\" }\nto = \"rear.pressure\"",
+        "from = \"rear.pressure\"\nto = 1",
+        "error: a.layup.toml:20: eta 0: layer \"cap_below\" behind the spar with web \"rear\" reaches \
+         the web\n  help: end it before the web, by half the length of its drop or more",
+    ),
+    (
+        "at = { x = 0.4 }",
+        "at = { x = 0.998 }",
+        "eta 0: web \"rear\" stands at arc",
+    ),
+    (
+        "at = { x = 0.4 }",
+        "at = { x = 0.02 }",
+        "eta 0: the layers are",
+    ),
+];
+
+#[test]
+fn wrong_spars_are_named() {
+    for (from, to, expected) in WRONG {
+        assert!(TEXT.contains(from), "{from}");
+        let made = parse(&TEXT.replacen(from, to, 1));
+        let problem = made.and_then(|layup| {
+            let meshed = layup.mesh(0.0).map_err(|problems| problems.to_string());
+            meshed.map(|_| layup)
+        });
+        let problem = problem.expect_err(to);
+        assert!(problem.contains(expected), "{to}: {problem}\n{expected}");
+    }
+}
