@@ -107,7 +107,7 @@ pub fn run(
 fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal<'_>) -> u8 {
     match Arguments::try_parse_from(arguments) {
         Ok(arguments) => {
-            terminal.set_quiet(arguments.command.is_quiet());
+            terminal.set_quiet(arguments.is_quiet());
             run_command(arguments.command, terminal)
         }
         Err(message) if message.use_stderr() => {

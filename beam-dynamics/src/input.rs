@@ -69,6 +69,7 @@ mod problem;
 mod properties;
 mod readings;
 mod rods;
+mod rotating_start;
 mod rotor_speed;
 mod rotors;
 pub mod schema;
@@ -260,6 +261,7 @@ fn checked(
     (given, linear): (&[(String, f64)], Option<&LinearRequest>),
 ) -> Result<Input, Diagnostics> {
     let mut document = Document::parse_with_includes(text, file)?;
+    document.require_known(&schema::DYNAMICS_FILE, "dynamics file")?;
     declare(&document, &document.root_of(&schema::DYNAMICS_FILE), given);
     // Problems of rotors are reported with all others.
     let inputs = linear.map_or(&[][..], |request| request.inputs.as_slice());
@@ -374,9 +376,7 @@ fn cards(
         columns::check(&root, output, analyses.transient.as_ref());
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
-    rotors::check(document, rotors, &analyses, builder.hub()?);
-    analyses.check(&root, &gravity, &builder.hub()?.frame_rotation());
-    check_air(&root, &mut builder, &analyses);
+    check_rotation((document, &root, rotors), &gravity, &mut builder, &analyses)?;
     let nodes = builder.initial();
     let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
     let joints = builder.joint_lines();
@@ -390,6 +390,21 @@ fn cards(
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
     Some(input)
+}
+
+/// Notes rotors, gravity, supports and air that do not suit the rotation of the analyses; `None` if
+/// the hub is wrong.
+fn check_rotation(
+    (document, root, rotors): (&Document, &Table<'_>, &Rotors),
+    gravity: &Vector3<f64>,
+    builder: &mut ModelBuilder,
+    analyses: &Analyses,
+) -> Option<()> {
+    rotors::check(document, rotors, analyses, builder.hub()?);
+    analyses.check(root, gravity, &builder.hub()?.frame_rotation());
+    rotating_start::check((document, root), builder, analyses);
+    check_air(root, builder, analyses);
+    Some(())
 }
 
 /// Reads the cards of the parts of the model.

@@ -105,7 +105,7 @@ fn dispatch(
         Err(message) => return Ok(write!(terminal.out, "{}", message.render())?),
     };
     let mut nowhere = io::sink();
-    let is_quiet = arguments.command.is_quiet();
+    let is_quiet = arguments.is_quiet();
     let terminal = &mut Terminal {
         out: if is_quiet {
             &mut nowhere

@@ -100,6 +100,27 @@ impl Document {
         self.root().described(schema)
     }
 
+    /// Checks that the file has a key of `schema`, if it has keys at all; `kind` is the kind of the
+    /// file that is read, as text.
+    ///
+    /// # Errors
+    /// Only keys that such a file does not have: a file of another kind.
+    pub fn require_known(
+        &self,
+        schema: &TableSchema,
+        kind: &'static str,
+    ) -> Result<(), Diagnostics> {
+        let is_known = |entry: &Entry| schema.all_keys().any(|key| key.name == entry.key);
+        match self.root.first() {
+            Some(first) if !self.root.iter().any(is_known) => {
+                let key = first.key.clone();
+                let problem = DocumentProblem::Foreign { kind, key };
+                Err(Diagnostics::one(self.location(first.line), &problem))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The file name, as shown in messages.
     pub fn file(&self) -> &str {
         &self.files[0]

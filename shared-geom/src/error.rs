@@ -293,6 +293,24 @@ pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
     }
 }
 
+/// Names joined by commas, in lines of a help.
+pub fn listed(names: &[String]) -> String {
+    const WIDTH: usize = 90;
+    let mut text = String::new();
+    let mut column = 0;
+    for (index, name) in names.iter().enumerate() {
+        if index > 0 && column + name.len() > WIDTH {
+            text.push_str(",\n    ");
+            column = 0;
+        } else if index > 0 {
+            text.push_str(", ");
+        }
+        text.push_str(name);
+        column += name.len() + 2;
+    }
+    text
+}
+
 /// The beginning of a text, for messages.
 pub fn shortened(text: &str) -> String {
     const LETTERS: usize = 40;
@@ -302,11 +320,19 @@ pub fn shortened(text: &str) -> String {
     }
 }
 
-/// Edit distance; a missing or added ending counts as one edit.
-fn distance(a: &str, b: &str) -> usize {
-    let slips = strsim::damerau_levenshtein(a, b);
-    let ending = a.len().min(b.len()) >= 2 && (a.starts_with(b) || b.starts_with(a));
-    if ending { slips.min(1) } else { slips }
+/// Edit distance of `found` to a name; a missing or added ending counts as one edit, also
+/// beside one error in the letters before it.
+fn distance(found: &str, name: &str) -> usize {
+    let slips = strsim::damerau_levenshtein(found, name);
+    let letters = found.chars().count();
+    let beginning: String = name.chars().take(letters).collect();
+    if found.len().min(name.len()) >= 2 && (found.starts_with(name) || name.starts_with(found)) {
+        slips.min(1)
+    } else if letters >= 4 && strsim::damerau_levenshtein(found, &beginning) == 1 {
+        slips.min(2)
+    } else {
+        slips
+    }
 }
 
 #[cfg(test)]
@@ -439,5 +465,8 @@ mod tests {
         assert_eq!(nearest_name("carbon", ["steel", "alu"]), None);
         assert_eq!(nearest_name("q", ["n", "m"]), None);
         assert_eq!(nearest_name("M", ["n", "m"]), Some("m"));
+        // an error in the letters before an ending
+        assert_eq!(nearest_name("frist", ["time", "first_x"]), Some("first_x"));
+        assert_eq!(nearest_name("forts", ["time", "first_x"]), None);
     }
 }

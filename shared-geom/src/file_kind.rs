@@ -22,13 +22,17 @@ pub enum FileKind {
     Blade,
     /// A rigid rotor and its operating points.
     Rotor,
+    /// Properties of a solved section.
+    Properties,
+    /// The state at the end of a run in time.
+    Restart,
 }
 
 /// The ending of layup files.
 pub const LAYUP_ENDING: &str = ".layup.toml";
 
 /// Kinds by the ending of the file name.
-const ENDINGS: [(&str, FileKind); 7] = [
+const ENDINGS: [(&str, FileKind); 9] = [
     (".section.toml", FileKind::Section),
     (".matrices.toml", FileKind::Matrices),
     (LAYUP_ENDING, FileKind::Layup),
@@ -36,6 +40,8 @@ const ENDINGS: [(&str, FileKind); 7] = [
     (".rotor.toml", FileKind::Rotor),
     (".blade.toml", FileKind::Blade),
     (".blade.json", FileKind::Blade),
+    (".properties.json", FileKind::Properties),
+    (".restart.json", FileKind::Restart),
 ];
 /// The ending of meshes that files of BeamDyn have too.
 const SHARED_ENDING: &str = ".inp";
@@ -44,6 +50,13 @@ const HEADS: [(&str, FileKind); 2] = [
     ("$MeshFormat", FileKind::Mesh),
     ("# vtk DataFile", FileKind::Mesh),
 ];
+/// Kinds of a JSON file with another name by the value of its key `format`.
+const FORMATS: [(&str, FileKind); 2] = [
+    ("\"helicoid section properties\"", FileKind::Properties),
+    ("\"helicoid blade\"", FileKind::Blade),
+];
+/// Letters at the beginning of a JSON file that hold its key `format`.
+const HEAD: usize = 200;
 /// Kinds of a TOML file with another name by the start of a line; a key without a table is at
 /// the top of the file.
 const LINES: [(&str, FileKind); 5] = [
@@ -67,12 +80,21 @@ impl FileKind {
                 None
             }
         };
+        let by_format = || {
+            let head: String = text.chars().take(HEAD).collect();
+            if name.ends_with(".json") {
+                first(&FORMATS, |format| head.contains(format))
+            } else {
+                None
+            }
+        };
         let is_shared = || name.to_lowercase().ends_with(SHARED_ENDING);
         let by_mesh = || (mesh_file::has_ending(&name) && !is_shared()).then_some(Self::Mesh);
         first(&HEADS, |head| text.starts_with(head))
             .or_else(by_name)
             .or_else(by_mesh)
             .or_else(by_line)
+            .or_else(by_format)
     }
 
     /// Checks that the file at `path` with the content `text` is not of another kind than
@@ -82,7 +104,7 @@ impl FileKind {
     /// A file of another kind, with the program that reads it.
     pub fn require(self, path: &Path, text: &str) -> Result<(), Diagnostics> {
         match Self::of(path, text) {
-            Some(found) if found != self => {
+            Some(found) if !self.accepts(found) => {
                 let location = SourceLocation::file(path.display().to_string());
                 let problem = OtherKind {
                     found,
@@ -94,8 +116,14 @@ impl FileKind {
         }
     }
 
+    /// Whether a reader of this kind reads files of another one too: a property file is a uniform
+    /// blade.
+    fn accepts(self, other: Self) -> bool {
+        self == other || (self, other) == (Self::Blade, Self::Properties)
+    }
+
     /// The kind with its article.
-    fn words(self) -> &'static str {
+    pub fn words(self) -> &'static str {
         match self {
             Self::Section => "a section file",
             Self::Matrices => "a matrices file",
@@ -104,6 +132,8 @@ impl FileKind {
             Self::Dynamics => "a dynamics file",
             Self::Blade => "a blade file",
             Self::Rotor => "a rotor file",
+            Self::Properties => "a property file of a section",
+            Self::Restart => "a restart file",
         }
     }
 }
@@ -152,6 +182,10 @@ impl Explain for OtherKind {
             }
             (FileKind::Dynamics, _) => "use \"beam-dynamics\"",
             (FileKind::Rotor, _) => "use \"beam-dynamics performance\"",
+            (FileKind::Properties, _) => {
+                "name it in [properties.NAME] of a dynamics file, or as a station of a blade file"
+            }
+            (FileKind::Restart, _) => "use \"beam-dynamics transient\" with --restart",
             (FileKind::Blade, FileKind::Dynamics) => {
                 "call it NAME.blade.toml: \"beam-dynamics modes\" then reads it, and so does \
                  [[blade]] of a dynamics file"
@@ -175,6 +209,12 @@ mod tests {
             ("a/x.section.toml", "", Some(FileKind::Section)),
             ("x.matrices.toml", "", Some(FileKind::Matrices)),
             ("x.blade.json", "{", Some(FileKind::Blade)),
+            (
+                "x.json",
+                "{\n  \"format\": \"helicoid section properties\",",
+                Some(FileKind::Properties),
+            ),
+            ("x.restart.json", "{", Some(FileKind::Restart)),
             ("x.dat", "$MeshFormat\n4.1 0 8\n", Some(FileKind::Mesh)),
             (
                 "x.toml",
@@ -224,6 +264,8 @@ mod tests {
             FileKind::Dynamics,
             FileKind::Blade,
             FileKind::Rotor,
+            FileKind::Properties,
+            FileKind::Restart,
         ];
         let meshes = mesh_file::ENDINGS
             .into_iter()
@@ -232,7 +274,7 @@ mod tests {
         for (ending, own) in ENDINGS.into_iter().chain(meshes) {
             for kind in kinds {
                 let accepted = kind.require(Path::new(&format!("x{ending}")), "");
-                assert_eq!(accepted.is_ok(), own == kind, "{ending}: {kind:?}");
+                assert_eq!(accepted.is_ok(), kind.accepts(own), "{ending}: {kind:?}");
             }
         }
     }

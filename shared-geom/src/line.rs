@@ -40,7 +40,7 @@ mod problem;
 pub use curve::Curve;
 pub use problem::LineProblem;
 
-/// The course of the line between its points.
+/// The interpolation of the line between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Course {
     /// Straight from point to point; twist linear in arc length.
@@ -66,7 +66,7 @@ pub struct LinePoint {
 pub struct ReferenceLine {
     /// The points through which it runs.
     pub points: Vec<LinePoint>,
-    /// Its course between them.
+    /// The interpolation between them.
     pub course: Course,
     /// Of a line of arcs, one for each: twist rate about x and curvature about y and z
     /// in section axes [1/m]. Empty for other lines.

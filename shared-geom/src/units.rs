@@ -392,6 +392,11 @@ pub fn parse_any(text: &str) -> Result<(f64, Dimension), UnitProblem> {
     }
 }
 
+/// A number as in messages: nine digits, without the digits of round-off.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -63,7 +63,7 @@ type Text<'a> = (&'a File, usize, String);
 
 /// The lines of a file that have text.
 fn texts(file: &File) -> impl Iterator<Item = Text<'_>> {
-    let is_text = file.is_rust() || file.is_markdown();
+    let is_text = file.is_rust() || file.is_markdown() || is_commented(file);
     let lines = file.text.lines().enumerate().filter(move |_| is_text);
     let texts = lines.map(move |(number, line)| (file, number, text_of(file, line).to_lowercase()));
     texts.filter(|(.., text)| !text.trim().is_empty())
@@ -78,10 +78,21 @@ fn uses<'a>(lines: &'a [Text<'a>], phrase: &'a str) -> impl Iterator<Item = (&'a
         .map(|(file, line, _)| (*file, *line))
 }
 
+/// Whether this is an input file or a script, of which the comments are read.
+fn is_commented(file: &File) -> bool {
+    [".toml", ".py"]
+        .iter()
+        .any(|ending| file.path.ends_with(ending))
+}
+
 /// The text of a line that people read: of a source its comment, or its strings without their
-/// placeholders; of a page all but code spans.
+/// placeholders; of a page all but code spans; of an input file or a script its comment.
 fn text_of(file: &File, line: &str) -> String {
     let start = line.trim_start();
+    if is_commented(file) {
+        let comment = start.split_once('#').map_or("", |parts| parts.1);
+        return comment.split('`').step_by(2).collect();
+    }
     if file.is_markdown() || start.starts_with("//") {
         return start.split('`').step_by(2).collect();
     }
@@ -102,13 +113,19 @@ mod tests {
     fn phrases_are_found_in_comments_strings_and_pages_only() {
         let source = "// It tells.\nlet told = f(\"a {told} b\");\nlet a = \"is told\";\n";
         let page = "He told `told` us.\n`told` retold\n";
-        let tree = Tree::of(&[("a/src/b.rs", source), ("docs/src/a.md", page)]);
+        let cards = "told = 3  # as told\n";
+        let files = [
+            ("a/src/b.rs", source),
+            ("docs/src/a.md", page),
+            ("cases/a.toml", cards),
+        ];
+        let tree = Tree::of(&files);
         let texts: Vec<_> = tree.files.iter().flat_map(texts).collect();
         let lines = |phrase| {
             let found = uses(&texts, phrase);
             found.map(|(_, line)| line).collect::<Vec<_>>()
         };
-        assert_eq!(lines("told"), [2, 0]);
+        assert_eq!(lines("told"), [2, 0, 0]);
         assert_eq!(lines("tells"), [0]);
     }
 }

@@ -11,6 +11,8 @@
 //! jumped to another branch. Just before a limit point the rate grows like one over the square root
 //! of the distance, from which its position is extrapolated.
 
+use shared_geom::figure::tick_label;
+
 use crate::model::{Conditions, State};
 use crate::solver::{Equations, Newton, NewtonReport, NewtonStatus, solve};
 
@@ -68,7 +70,7 @@ pub enum PathEnd {
         motion: Option<String>,
     },
     /// An element is undefined beyond.
-    #[error("no equilibrium beyond the load factor {factor:.6}: \"{element}\": {why}")]
+    #[error("no equilibrium beyond the load factor {}: \"{element}\": {why}", tick_label(*.factor, 0.0))]
     WithoutValue {
         /// The last factor reached [-].
         factor: f64,
@@ -79,7 +81,8 @@ pub enum PathEnd {
     },
     /// The iteration fails for any length of the step.
     #[error(
-        "no equilibrium beyond the load factor {factor:.6}: {reason}; worst equation: {equation}"
+        "no equilibrium beyond the load factor {}: {reason}; worst equation: {equation}",
+        tick_label(*.factor, 0.0)
     )]
     Stuck {
         /// The last factor reached [-].
@@ -90,7 +93,7 @@ pub enum PathEnd {
         equation: String,
     },
     /// The allowed number of steps is used up.
-    #[error("the load factor {wanted} was not reached in {steps} steps; the last is {factor:.6}")]
+    #[error("the load factor {wanted} was not reached in {steps} steps; the last is {}", tick_label(*.factor, 0.0))]
     OutOfSteps {
         /// The last factor reached [-].
         factor: f64,

@@ -5,6 +5,8 @@
 //! 2. The integrator makes one accepted step after the other, to the last instant.
 //! 3. The reason for an early end is reported with the worst equation and the likely cause.
 
+use shared_geom::units::rounded;
+
 use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
@@ -399,6 +401,7 @@ impl Run<'_> {
         let time = self.integrator.time();
         self.far_turn = far.map(|(node, turn)| {
             let label = &self.model.system.nodes()[node].label;
+            let time = rounded(time);
             format!(
                 "node \"{label}\" turns by {turn:.2} rad in a step at t = {time} s: take steps of \
                  {farthest:.2} rad at most, the error of rotations grows with the square"

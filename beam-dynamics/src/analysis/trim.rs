@@ -90,11 +90,11 @@ pub fn trim_watched(
     watch: &mut dyn FnMut(TrimProgress),
 ) -> TrimOutcome {
     let sweep = settings.sweep.as_ref();
-    let places: Vec<_> = match sweep {
+    let values: Vec<_> = match sweep {
         None => vec![None],
         Some(sweep) => sweep.values.iter().copied().map(Some).collect(),
     };
-    let mut result = without_points(name, settings, places.len());
+    let mut result = without_points(name, settings, values.len());
     let mut search = Search {
         settings,
         read,
@@ -103,8 +103,8 @@ pub fn trim_watched(
         from: None,
     };
     let mut end = None;
-    let requested = places.len();
-    for (done, at) in places.into_iter().enumerate() {
+    let requested = values.len();
+    for (done, at) in values.into_iter().enumerate() {
         let mut passes = 0;
         let mut of_point = |pass: &PeriodicPass| {
             passes += 1;

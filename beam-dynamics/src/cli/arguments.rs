@@ -272,6 +272,23 @@ fn first_line(text: &'static str) -> &'static str {
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
+    /// Print no report; problems and remarks are still reported on the error stream
+    #[arg(long, short, global = true)]
+    quiet: bool,
+}
+
+impl Arguments {
+    /// Whether no report is printed; a text that is the result of a command is printed.
+    pub fn is_quiet(&self) -> bool {
+        let is_text = matches!(
+            self.command,
+            Command::Expand { .. }
+                | Command::Schema { .. }
+                | Command::Completions { .. }
+                | Command::Manual { .. }
+        );
+        self.quiet && !is_text
+    }
 }
 
 /// Folder of the results, and which of them are made.
@@ -283,27 +300,6 @@ pub(super) struct Results {
     /// Draw no figures; removes the figures of an earlier run
     #[arg(long)]
     pub no_figures: bool,
-    /// Print no report; problems and remarks are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
-}
-
-impl Command {
-    /// Whether no report is printed.
-    pub fn is_quiet(&self) -> bool {
-        match self {
-            Self::Modes { results, .. }
-            | Self::Static { results, .. }
-            | Self::Buckling { results, .. }
-            | Self::Performance { results, .. }
-            | Self::Periodic { results, .. }
-            | Self::Trim { results, .. }
-            | Self::Stability { results, .. }
-            | Self::Linearize { results, .. }
-            | Self::Transient { results, .. } => results.quiet,
-            _ => false,
-        }
-    }
 }
 
 #[derive(Debug, Subcommand)]

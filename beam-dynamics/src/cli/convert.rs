@@ -117,7 +117,7 @@ pub(super) fn convert(arguments: &ConvertArguments, terminal: &mut Terminal<'_>)
     let code = write_files(&files, terminal);
     if let Some((first, _)) = files
         .first()
-        .filter(|(first, _)| code == DONE && first != to && !arguments.is_all())
+        .filter(|(first, _)| code == DONE && first != to && files.len() > 1 && !arguments.is_all())
     {
         terminal.show(&format!(
             "\n{} is the file for modes and describe: it refers to the others\n",
@@ -173,7 +173,7 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
         None => {
             let writing = exchange::write(&reading.blade, format, &name_of(to));
             let Writing { files, lost } = writing.map_err(ConvertProblem::from)?;
-            (placed(files, to), lost, format.title().to_owned())
+            (placed(files, to, format), lost, format.title().to_owned())
         }
     };
     if let Some(existing) = arguments.into.as_ref().filter(|file| is_same(to, file)) {
@@ -263,13 +263,15 @@ fn name_of(file: &Path) -> String {
         .to_owned()
 }
 
-/// The files next to `to`; the first is `to` itself, unless the ending of `to` belongs to
-/// another kind of file.
-fn placed(files: Vec<(PathBuf, String)>, to: &Path) -> Vec<(PathBuf, String)> {
+/// The files of `format` next to `to`; the first is `to` itself, unless the ending of `to` belongs
+/// to another format or to another of the files.
+fn placed(files: Vec<(PathBuf, String)>, to: &Path, format: Format) -> Vec<(PathBuf, String)> {
     let folder = to.parent().unwrap_or(Path::new(""));
     let extension = |path: &Path| path.extension().map(|ending| ending.to_ascii_lowercase());
+    let of_ending = Format::of_path(to);
+    let is_alone = files.len() == 1 && of_ending == Some(format);
     let beside = files.into_iter().enumerate().map(|(number, (name, text))| {
-        let fits = extension(&name) == extension(to) || Format::of_path(to).is_none();
+        let fits = extension(&name) == extension(to) || of_ending.is_none() || is_alone;
         if number == 0 && fits {
             (to.to_owned(), text)
         } else {

@@ -82,7 +82,6 @@ mod tests {
             let results = Results {
                 out: out.map(PathBuf::from),
                 no_figures: false,
-                quiet: false,
             };
             let reported = result_locations(&files.map(PathBuf::from), &results);
             reported.err().map(|problem| problem.to_string())

@@ -160,6 +160,13 @@ impl Analyses {
         }
     }
 
+    /// The speed of a run that starts in rotation, other than zero [rad/s].
+    pub fn rotating_speed(&self) -> Option<f64> {
+        let periodic = self.periodic.as_ref().map(|periodic| &periodic.start);
+        let mut runs = self.transient.iter().chain(periodic);
+        runs.find_map(|run| run.rotating_speed().filter(|speed| *speed != 0.0))
+    }
+
     /// The highest rotor speed of all analyses of steady states [rad/s].
     pub fn highest_speed(&self) -> f64 {
         let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());

@@ -130,7 +130,8 @@ type Find<'a> = dyn Fn(&str) -> Option<Named> + 'a;
 
 /// A drive in `measure`.
 fn drive(item: &Item<'_>, measure: Measure, find: &Find<'_>) -> Option<Drive> {
-    if let Some(table) = item.table(&format!("the drive under \"{}\"", item.key())) {
+    let title = format!("the drive under \"{}\" of {}", item.key(), item.owner());
+    if let Some(table) = item.table(&title) {
         let table = table.described(&DRIVE);
         let drive = kinds::read(&table, measure, find);
         if kinds::is_known(&table) {

@@ -334,13 +334,11 @@ pub enum InputProblem {
         /// The number found [-].
         found: f64,
     },
-    /// A range of speeds that does not increase.
-    #[error("\"speeds\" runs from {} to {} rpm, expected an increasing range: exchange both", six(*.from), six(*.to))]
-    FallingRange {
-        /// First speed \[rpm\].
-        from: f64,
-        /// Last speed \[rpm\].
-        to: f64,
+    /// A range that is one speed.
+    #[error("\"speeds\" runs from {rpm} rpm to {rpm} rpm, expected two speeds", rpm = six(*.rpm))]
+    EmptyRange {
+        /// The speed \[rpm\].
+        rpm: f64,
     },
     /// A table of measurements that cannot be read.
     #[error("no table of measurements at \"{file}\": {reason}")]

@@ -37,9 +37,9 @@ keys! {
 keys! {
     /// Speeds at equal distances, both ends included.
     RANGE = "speeds = { ... }";
-    /// Lowest speed.
+    /// First speed.
     FROM: f64 = "from", [Quantity(Dimension::ROTATION_SPEED)], required, "0";
-    /// Highest speed.
+    /// Last speed; below the first one too.
     TO: f64 = "to", [Quantity(Dimension::ROTATION_SPEED)], required, "750";
     /// Number of speeds.
     STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
@@ -87,9 +87,9 @@ fn range(table: &Table<'_>) -> Option<Vec<f64>> {
     let (from, to, steps) = (table.get(&FROM), table.get(&TO), table.get(&STEPS));
     table.finish();
     let (from, to, steps) = (from?, to?, steps?);
-    if to <= from {
-        let (from, to) = (from / RPM, to / RPM);
-        table.note(&TO, &InputProblem::FallingRange { from, to });
+    if to == from {
+        let rpm = to / RPM;
+        table.note(&TO, &InputProblem::EmptyRange { rpm });
         return None;
     }
     if steps < 2 {
@@ -201,10 +201,10 @@ mod tests {
             rpm("speeds = { from = 100, to = 400, steps = 4 }"),
             [100.0, 200.0, 300.0, 400.0]
         );
-        assert_eq!(
-            rpm("speeds = { from = 100, to = 400, steps = 2 }"),
-            [100.0, 400.0]
-        );
+        for range in ["from = 100, to = 400", "from = 400, to = 100"] {
+            let text = format!("speeds = {{ {range}, steps = 2 }}");
+            assert_eq!(rpm(&text), [100.0, 400.0]);
+        }
         // Far apart, but close relative to the largest.
         assert_eq!(rpm("speeds = [0, 1, 1e12]"), [0.0, 1.0, 1e12]);
         assert_eq!(settings("speeds = [1]").unwrap().count, 10);
@@ -263,7 +263,7 @@ mod tests {
             ("speeds = [0, 0]", "has the speed 0 rpm twice"),
             (
                 "speeds = { from = 5, to = 5, steps = 2 }",
-                "runs from 5 to 5 rpm",
+                "\"speeds\" runs from 5 rpm to 5 rpm, expected two speeds",
             ),
             (
                 "speeds = { from = 5, to = 9, steps = 1 }",

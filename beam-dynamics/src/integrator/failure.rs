@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use shared_geom::units::rounded;
+
 use super::limits::MOST_CROWDED;
 use crate::model::Name;
 use crate::solver::{Iteration, Worst};
@@ -105,7 +107,7 @@ pub struct LocalError {
 
 impl fmt::Display for StepFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (time, length, least) = (self.time, self.length, self.least);
+        let (time, length, least) = (rounded(self.time), self.length, self.least);
         let (reason, equation) = (self.reason.words(), &self.equation);
         write!(
             f,

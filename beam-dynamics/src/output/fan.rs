@@ -27,6 +27,8 @@ const DAMPING: u32 = 480;
 const LEGEND: f64 = 70.0;
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
+/// Critical speeds of a rotor above which only the ones at the multiples b and 2b are marked.
+const MOST_MARKS: usize = 30;
 /// Colors of modes: the colors of categories without yellow, which is faint as a line.
 const COLORS: usize = CATEGORIES.len() - 1;
 
@@ -98,7 +100,7 @@ impl FanPlot {
         plot.multiples = Some(table.harmonics());
         plot.patterns = fixed::patterns(fixed, table);
         plot.curves = fixed::curves(fixed, table);
-        plot.mark(&fixed.critical);
+        plot.mark(&marked(table, &fixed.critical));
         plot.cut();
         plot
     }
@@ -144,6 +146,18 @@ impl FanPlot {
         self.critical.retain(|point| point[1] <= limit);
         self.measured.retain(|point| point[1] <= limit);
     }
+}
+
+/// The critical speeds that are marked: all, or of many at multiples that the file did not choose the
+/// speeds at which loads of b equal blades excite a mode, and those at which a whirl comes to rest.
+fn marked(table: &FrequencyTable, all: &[CriticalSpeed]) -> Vec<CriticalSpeed> {
+    let blades = u32::try_from(table.blades()).unwrap_or(0);
+    let is_chosen = blades < 2 || !table.style.harmonics.is_empty();
+    let orders = [0, blades, 2 * blades];
+    all.iter()
+        .filter(|one| is_chosen || all.len() <= MOST_MARKS || orders.contains(&one.order))
+        .cloned()
+        .collect()
 }
 
 impl FanPlot {

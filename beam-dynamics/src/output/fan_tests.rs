@@ -160,3 +160,27 @@ fn a_mode_that_is_another_one_at_the_end_is_named_so() {
     let kinds = [ModeKind::Flap, ModeKind::Torsion].map(Some);
     assert_eq!(plot.curves[0].kinds, kinds);
 }
+
+#[test]
+fn of_many_critical_speeds_the_ones_of_the_blades_are_marked() {
+    let mut table = samples::waves();
+    let critical = |count: u32| -> Vec<CriticalSpeed> {
+        let order = |k: u32| CriticalSpeed {
+            name: "flap 1".to_owned(),
+            order: k % 10,
+            speed: f64::from(k),
+            frequency: 1.0,
+        };
+        (0..count).map(order).collect()
+    };
+    let orders = |table: &FrequencyTable, count| {
+        let all = critical(count);
+        let marked = marked(table, &all).into_iter().map(|one| one.order);
+        marked.collect::<Vec<_>>()
+    };
+    assert_eq!(table.blades(), 3);
+    assert_eq!(orders(&table, 30).len(), 30);
+    assert_eq!(orders(&table, 40), [0, 3, 6].repeat(4));
+    table.style.harmonics = vec![1, 2];
+    assert_eq!(orders(&table, 40).len(), 40);
+}

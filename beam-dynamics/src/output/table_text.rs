@@ -55,11 +55,24 @@ const SHAFT_WHIRL: &str = "\
         speed of the name, which is kept where the frequency passes through zero
 ";
 
-/// Meaning of the numbers and names of `table`.
+/// Meaning of the numbers and names of `table`, without the kinds of blades for a shaft.
 pub fn convention(table: &FrequencyTable) -> String {
+    let text = of_all_kinds(table);
+    if !(has_whirls(table) && table.is_shaft()) {
+        return text;
+    }
+    let is_of_blades = |line: &&str| {
+        let word = line.split_whitespace().next();
+        word.is_some_and(|word| ["flap", "lag", "edge"].contains(&word))
+    };
+    let lines = text.split_inclusive('\n');
+    lines.filter(|line| !is_of_blades(line)).collect()
+}
+
+/// Meaning of the numbers and names of `table`, with the kinds of blades.
+fn of_all_kinds(table: &FrequencyTable) -> String {
     let damping = if is_damped(table) { DAMPING } else { "" };
-    let mut branches = table.branches.iter();
-    let whirl = match branches.any(|branch| branch.harmonic.is_some()) {
+    let whirl = match has_whirls(table) {
         true if table.is_shaft() => SHAFT_WHIRL,
         true => WHIRL,
         false => "",
@@ -83,6 +96,21 @@ pub fn convention(table: &FrequencyTable) -> String {
             .replace("progressive", "forward")
             .replace("regressive", "backward"),
     }
+}
+
+/// Whether any mode has a pattern around the axis, in its name or at a speed.
+fn has_whirls(table: &FrequencyTable) -> bool {
+    let mut points = table
+        .branches
+        .iter()
+        .flat_map(|b| b.points.iter().flatten());
+    let mut branches = table.branches.iter();
+    branches.any(|branch| branch.harmonic.is_some())
+        || points.any(|point| {
+            point
+                .whirl
+                .is_some_and(|w| w.is_pure() && w.has_direction())
+        })
 }
 
 /// Whether any mode is damped or grows.
@@ -195,6 +223,7 @@ mod tests {
     use super::*;
     use crate::case::FrequencyUnit;
     use crate::output::samples;
+    use crate::result::Whirl;
 
     #[test]
     fn modes_are_rows_and_speeds_are_columns() {
@@ -237,6 +266,23 @@ torsion 1                 -     -      -    99.500  9.950  0.000
         assert_eq!(convention(&samples::small()), CONVENTION);
         table.branches[0].harmonic = Some(0);
         assert!(convention(&table).contains("\n  collective, progressive"));
+        assert!(convention(&table).contains("\n          lag  "));
+        let points = table.branches.iter_mut().flat_map(|b| b.points.iter_mut());
+        for point in points.flatten() {
+            point.whirl = Some(Whirl {
+                harmonic: 1,
+                blades: 0,
+                share: 1.0,
+            });
+        }
+        // at rest its modes have no direction, and its names no pattern
+        table.branches[0].harmonic = None;
+        let of_shaft = convention(&table);
+        assert!(of_shaft.contains("\n  progressive, regressive: whirl"));
+        assert!(
+            !of_shaft.contains("flap") && !of_shaft.contains("lag"),
+            "{of_shaft}"
+        );
         assert!(convention(&table).lines().all(|line| line.len() <= 96));
     }
 

@@ -227,7 +227,8 @@ fn problems_of_all_stations_are_one_in_lists() {
     let middle = last.replacen('2', "1", 1);
     let table = table.replace(&last, &format!("{middle}\n{last}"));
     folder.write("a.csv", &table);
-    let reported = "all 3 stations: stiffness has 0e0 at (2, 2) (shear y), expected more than zero";
+    let reported = "all 3 stations: stiffness has 0 at (2, 2) (shear y) and at (3, 3) (shear z), \
+                    expected more than zero";
     for run in [
         folder.run(&["describe", "a.csv"]),
         folder.run(&["convert", "a.csv", "b.inp"]),

@@ -298,6 +298,10 @@ fn toml_is_not_written_and_the_first_of_several_files_is_reported() {
     assert_eq!(run.code, 0, "{}", run.err);
     let reported = "y.sections.csv is the file for modes and describe: it refers to the others\n";
     assert!(run.out.ends_with(reported), "{}", run.out);
+    // A single file has the name as given, with any ending of its format.
+    let run = folder.run(&["convert", "strip.csv", "y.yml"]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(run.out.ends_with("\nWritten\n  y.yml\n"), "{}", run.out);
 }
 
 #[test]

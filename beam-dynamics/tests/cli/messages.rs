@@ -513,6 +513,25 @@ fn files_of_another_kind_name_their_program() {
     }
 }
 
+/// A file with keys of no dynamics file is one problem, not one for each key.
+#[test]
+fn a_file_without_a_key_of_dynamics_files_is_reported_as_such() {
+    let folder = Folder::new();
+    folder.write(
+        "expected.toml",
+        "# results\n[[value]]\ncolumn = \"x\"\n[run]\n",
+    );
+    let run = folder.run(&["modes", "expected.toml"]);
+    assert_eq!(
+        (run.code, run.err.as_str()),
+        (
+            2,
+            "error: expected.toml:2: this is no dynamics file: it has no key of one, and begins \
+             with \"value\"\n"
+        )
+    );
+}
+
 /// Wrong values of options are reported with the names of the options.
 #[test]
 fn options_of_blade_files_are_named() {

@@ -321,6 +321,8 @@ fn problems(folder: &Folder, file: &Table) -> Vec<String> {
     for line in shown.lines() {
         match problems.last_mut() {
             Some(last) if line.starts_with("  help: ") => last.push_str(line),
+            // A long list of keys has several lines.
+            Some(last) if line.starts_with("    ") => last.push_str(&line[3..]),
             _ => problems.push(line.to_owned()),
         }
     }

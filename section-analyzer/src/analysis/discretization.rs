@@ -25,7 +25,7 @@ const FACTOR: f64 = 4.0 / 3.0;
 /// straight: errors by these two are not part of the estimate.
 ///
 /// # Errors
-/// The errors of the second analysis, for about four times the number of unknowns.
+/// The errors of the second analysis, for up to four times the number of unknowns.
 pub fn discretization_error(
     section: &Section,
     stiffness: &Matrix6<f64>,

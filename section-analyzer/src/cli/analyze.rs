@@ -113,7 +113,7 @@ pub(super) fn analyze_files(
             .then(|| arguments.sensitivity_nodes.clone()),
         mesh_error: arguments.mesh_error,
         open: arguments.open.clone(),
-        quiet: arguments.quiet,
+        quiet: terminal.is_quiet,
     };
     match &jobs[..] {
         [job] => show(job, analyze_one(job, &run).0, terminal),

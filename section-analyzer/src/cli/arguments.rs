@@ -173,19 +173,19 @@ fn first_line(text: &'static str) -> &'static str {
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
+    /// Print no report; problems and warnings are still reported on the error stream
+    #[arg(long, short, global = true)]
+    quiet: bool,
 }
 
-impl Command {
-    /// Whether no report is printed.
+impl Arguments {
+    /// Whether no report is printed; a text that is the result of a command is printed.
     pub fn is_quiet(&self) -> bool {
-        match self {
-            Self::Analyze(arguments) => arguments.quiet,
-            Self::Blade(arguments) => arguments.quiet,
-            Self::Strength(arguments) => arguments.quiet,
-            Self::Check(arguments) => arguments.quiet,
-            Self::Stress { quiet, .. } | Self::Matrices { quiet, .. } => *quiet,
-            _ => false,
-        }
+        let is_text = matches!(
+            self.command,
+            Command::Schema { .. } | Command::Completions { .. } | Command::Manual { .. }
+        );
+        self.quiet && !is_text
     }
 }
 
@@ -210,9 +210,6 @@ pub(super) enum Command {
         /// Draw each figure as SVG too, next to its PNG
         #[arg(long, conflicts_with = "no_figures")]
         svg: bool,
-        /// Print no report; problems and warnings are still reported on the error stream
-        #[arg(long, short)]
-        quiet: bool,
     },
     #[command(about = first_line(MATRICES), long_about = MATRICES, after_help = MATRICES_EXAMPLE)]
     Matrices {
@@ -221,9 +218,6 @@ pub(super) enum Command {
         /// Folder for the results; the folder "results" next to FILE if not given
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
-        /// Print no report; problems and warnings are still reported on the error stream
-        #[arg(long, short)]
-        quiet: bool,
     },
     #[command(about = first_line(CONVERT), long_about = CONVERT, after_help = CONVERT_EXAMPLE)]
     Convert(ConvertArguments),

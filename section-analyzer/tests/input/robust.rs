@@ -5,7 +5,8 @@
 
 use std::path::{Path, PathBuf};
 
-use section_analyzer::input::{self, blade, external};
+use section_analyzer::input::span_loads::{LoadPositions, read_loads};
+use section_analyzer::input::{self, blade, external, layup};
 
 use crate::mutation::{Random, mutated};
 
@@ -104,37 +105,16 @@ fn changed_files_of_matrices_are_read_or_refused() {
     }
 }
 
-/// A blade with everything, coarse.
-const BLADE: &str = "\
-units = \"SI\"
-[airfoil]
-naca = \"4415\"
-trailing_edge = \"sharp\"
-chord = 3
-[skin]
-plies = [{ name = \"skin\", thickness = 0.005, fiber_angle = 45, faces = true }]
-[spar]
-front_web = 0.12
-rear_web = 0.45
-order = \"inside_out\"
-plies = [
- { name = \"web\", thickness = 0.005, count = 3 },
- { name = \"pad\", thickness = 0.01, on = \"upper\", from = 0.2, to = 0.3, filler = { name = \"fill\" } },
- { name = \"cap\", thickness = 0.01, on = [\"upper\", \"lower\"] },
-]
-[core.aft]
-name = \"foam\"
-[nose_mass]
-name = \"lead\"
-to = 0.03
-[mesh]
-size = 0.3
-turn = 30
-";
+/// The text of a seed.
+fn seed(target: &str, name: &str) -> String {
+    let path: PathBuf = [FUZZ, "corpus", target, name].iter().collect();
+    std::fs::read_to_string(path).unwrap()
+}
 
 #[test]
 fn changed_blade_files_are_meshed_or_refused() {
     let path = Path::new("a.blade.toml");
+    let text = seed("blade_mesh_file", "box.blade.toml");
     let (mut good, mut bad) = (0, 0);
     let mut read = |text: &str| match blade::parse(text, path) {
         Ok(input) => {
@@ -146,14 +126,87 @@ fn changed_blade_files_are_meshed_or_refused() {
             bad += 1;
         }
     };
-    for end in 0..=BLADE.len() {
-        read(&BLADE[..end]);
+    for end in 0..=text.len() {
+        read(&text[..end]);
     }
     let mut random = Random::new(7);
     for _ in 0..MUTATIONS {
-        let changed = mutated(BLADE.as_bytes(), &mut random);
+        let changed = mutated(text.as_bytes(), &mut random);
         read(&String::from_utf8_lossy(&changed));
     }
     println!("{good} meshed, {bad} refused");
     assert!(good > 10 && bad > good);
+}
+
+/// Changes of one layup or table of loads.
+const FEW: usize = 500;
+
+/// Reads `text`, cut anywhere and changed, by `read`; returns how many are read and refused.
+fn survivors(text: &str, mut read: impl FnMut(&[u8]) -> bool) -> [usize; 2] {
+    assert!(read(text.as_bytes()));
+    let mut counts = [0; 2];
+    let mut count = |bytes: &[u8]| counts[usize::from(!read(bytes))] += 1;
+    for end in (0..text.len()).step_by(7) {
+        count(&text.as_bytes()[..end]);
+    }
+    let mut random = Random::new(11);
+    for _ in 0..FEW {
+        count(&mutated(text.as_bytes(), &mut random));
+    }
+    counts
+}
+
+/// Layup files, turbine files of windIO and sections of PreVABS.
+#[test]
+fn changed_layups_are_read_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["rotor_blade.layup.toml", "tube.windio.yaml", "pipe.xml"] {
+        let path = folder.path().join(name);
+        let [good, bad] = survivors(&seed("layup_file", name), |bytes| {
+            std::fs::write(&path, bytes).unwrap();
+            match layup::read(&path).and_then(|layup| layup.section(0.3)) {
+                Ok(_) => true,
+                Err(problems) => {
+                    assert!(!problems.to_string().is_empty());
+                    false
+                }
+            }
+        });
+        println!("{name}: {good} read, {bad} refused");
+        assert!(good > 10 && bad > 10, "{name}: {good} read, {bad} refused");
+    }
+}
+
+/// Tables with a row for each position and instant, with a row for each time, and of envelopes.
+#[test]
+fn changed_tables_of_loads_are_read_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.csv");
+    let named = vec![("root".to_owned(), 0.0), ("tip".to_owned(), 1.0)];
+    for (name, named) in [
+        ("long.csv", Vec::new()),
+        ("envelope.csv", Vec::new()),
+        ("wide.csv", named),
+    ] {
+        let positions = LoadPositions {
+            length: 2.0,
+            member: None,
+            named,
+        };
+        let [good, bad] = survivors(&seed("load_table", name), |bytes| {
+            std::fs::write(&path, bytes).unwrap();
+            match read_loads(&path, &positions) {
+                Ok(instants) => {
+                    assert!(instants.iter().all(|instant| !instant.points.is_empty()));
+                    true
+                }
+                Err(problems) => {
+                    assert!(!problems.to_string().is_empty());
+                    false
+                }
+            }
+        });
+        println!("{name}: {good} read, {bad} refused");
+        assert!(good > 10 && bad > 10, "{name}: {good} read, {bad} refused");
+    }
 }

@@ -119,6 +119,8 @@ impl Subject {
         for line in reported.unwrap_or_default().lines() {
             match problems.last_mut() {
                 Some(last) if line.starts_with("  help: ") => last.push_str(line),
+                // A long list of keys has several lines.
+                Some(last) if line.starts_with("    ") => last.push_str(&line[3..]),
                 _ => problems.push(line.to_owned()),
             }
         }

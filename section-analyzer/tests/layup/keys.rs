@@ -145,9 +145,9 @@ fn rounded_plies_jump_along_the_span() {
 }
 
 /// Counts change everywhere between two close positions, and a shift in the name of a place keeps the
-/// course of the other one.
+/// interpolation of the other one.
 #[test]
-fn courses_are_followed_between_close_positions() {
+fn interpolations_hold_between_close_positions() {
     let of_cap = |text: &str, eta: f64| {
         let layers = section(text, eta).layers;
         layers.into_iter().find(|one| one.name == "cap").unwrap()

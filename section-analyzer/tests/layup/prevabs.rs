@@ -335,7 +335,7 @@ fn webs_lie_on_their_side_of_the_line() {
 }
 
 /// Segments by parts of the length of one line are segments of their own; a layup over others is
-/// laid inside of them.
+/// inside of them.
 #[test]
 fn parts_of_a_line_are_segments() {
     let segment = "<segment name=\"all\"><baseline>around</baseline>\

@@ -145,7 +145,7 @@ pub(crate) fn parse_with(
     };
     let replaced = rigid_shear.then(|| blade.replace_absent_shear());
     let lines = lines_of("arc_length", text);
-    for (station, problem) in blade.placed_problems() {
+    for (station, problem) in blade.shared_problems() {
         let line = station.and_then(|station| lines.get(station));
         let location = match line {
             Some(line) => SourceLocation::line(file, *line),

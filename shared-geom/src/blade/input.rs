@@ -249,7 +249,7 @@ fn of_stations(
 /// The problems of the blade, with the location of their station.
 fn check(blade: &Blade, locations: &[SourceLocation], file: &str) -> Result<(), Diagnostics> {
     let mut problems = Diagnostics::new();
-    for (station, problem) in blade.placed_problems() {
+    for (station, problem) in blade.shared_problems() {
         let location = station.and_then(|station| locations.get(station)).cloned();
         problems.push(
             location.unwrap_or_else(|| SourceLocation::file(file)),

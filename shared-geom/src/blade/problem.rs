@@ -4,6 +4,7 @@ use crate::error::Explain;
 use crate::figure::tick_label;
 use crate::line::LineProblem;
 use crate::section::{CurvatureMismatch, PropertyProblem};
+use crate::units::rounded;
 
 /// Errors of a blade.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,7 +43,7 @@ pub enum BladeProblem {
     },
     /// Stations that are not in order of arc length.
     #[error(
-        "station {station} lies at {found} m, and the station before at {before} m: stations lead from the root to the tip"
+        "station {station} lies at {} m, and the station before at {} m: stations lead from the root to the tip", rounded(*.found), rounded(*.before)
     )]
     Order {
         /// Number of the station, from one.
@@ -53,7 +54,7 @@ pub enum BladeProblem {
         before: f64,
     },
     /// Three stations at one arc length.
-    #[error("station {station} is the third at {position} m: a jump has two")]
+    #[error("station {station} is the third at {} m: a jump has two", rounded(*.position))]
     Third {
         /// Number of the station, from one.
         station: usize,
@@ -62,7 +63,7 @@ pub enum BladeProblem {
     },
     /// Two stations at one arc length, with constant interpolation.
     #[error(
-        "station {station} lies at {position} m as the one before, and with constant interpolation every station is a jump"
+        "station {station} lies at {} m as the one before, and with constant interpolation every station is a jump", rounded(*.position)
     )]
     Doubled {
         /// Number of the station, from one.
@@ -71,7 +72,7 @@ pub enum BladeProblem {
         position: f64,
     },
     /// A station that is not on the line.
-    #[error("station {station} lies at {found} m, and the line is {length} m long")]
+    #[error("station {station} lies at {} m, and the line is {} m long", rounded(*.found), rounded(*.length))]
     OffLine {
         /// Number of the station, from one.
         station: usize,
@@ -81,7 +82,7 @@ pub enum BladeProblem {
         length: f64,
     },
     /// Invalid properties of a station.
-    #[error("station {station} at {position} m: {problem}")]
+    #[error("station {station} at {} m: {problem}", rounded(*.position))]
     Station {
         /// Number of the station, from one.
         station: usize,
@@ -102,7 +103,7 @@ pub enum BladeProblem {
     },
     /// A station with a stiffness that is not positive definite, and its range.
     #[error(
-        "stiffness is not positive definite from {from} m to {to} m, about station {station} at {position} m: there its smallest scaled eigenvalue is {value:.3e}"
+        "stiffness is not positive definite from {} m to {} m, about station {station} at {} m: there its smallest scaled eigenvalue is {value:.3e}", rounded(*.from), rounded(*.to), rounded(*.position)
     )]
     IndefiniteStation {
         /// Number of the station, from one.
@@ -118,7 +119,7 @@ pub enum BladeProblem {
     },
     /// Stiffness that is not positive definite at an arc length at which it is evaluated.
     #[error(
-        "stiffness is not positive definite at {position} m, between the stations at {inner} m and {outer} m: its smallest scaled eigenvalue is {value:.3e}"
+        "stiffness is not positive definite at {} m, between the stations at {} m and {} m: its smallest scaled eigenvalue is {value:.3e}", rounded(*.position), rounded(*.inner), rounded(*.outer)
     )]
     Indefinite {
         /// Arc length [m].
@@ -172,7 +173,8 @@ impl Explain for BladeProblem {
             Self::Units { .. } => Some("blade files in JSON are always SI".to_owned()),
             Self::Line(problem) => problem.help(),
             Self::Station { problem, .. } | Self::Stations { problem, .. } => match problem {
-                PropertyProblem::Diagonal {
+                PropertyProblem::NoShear
+                | PropertyProblem::Diagonal {
                     index: 2 | 3,
                     field: "stiffness",
                     value: 0.0,

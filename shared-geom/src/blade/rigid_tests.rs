@@ -121,6 +121,13 @@ fn one_kind_at_many_stations_is_one_problem() {
         shown(&blade),
         [format!("stations 1, 2, 4, 5: {text} (station 1)")]
     );
+    for station in &mut blade.stations {
+        station.stiffness[(1, 1)] = 0.0;
+        station.stiffness[(2, 2)] = 0.0;
+    }
+    let both = "all 5 stations: stiffness has 0 at (2, 2) (shear y) and at (3, 3) (shear z), \
+                expected more than zero";
+    assert_eq!(shown(&blade), [both]);
 }
 
 #[test]

@@ -16,14 +16,17 @@ const LARGEST: f64 = 1e100;
 pub struct Item<'a> {
     document: &'a Document,
     key: String,
+    /// The title of the table that holds it.
+    owner: String,
     value: &'a Value,
 }
 
 impl<'a> Item<'a> {
-    pub(super) fn new(document: &'a Document, key: &str, value: &'a Value) -> Self {
+    pub(super) fn new(document: &'a Document, key: &str, owner: &str, value: &'a Value) -> Self {
         Self {
             document,
             key: key.to_owned(),
+            owner: owner.to_owned(),
             value,
         }
     }
@@ -36,6 +39,11 @@ impl<'a> Item<'a> {
     /// The key of the value.
     pub fn key(&self) -> &str {
         &self.key
+    }
+
+    /// The title of the table that holds the value, for messages: `load "tip"`.
+    pub fn owner(&self) -> &str {
+        &self.owner
     }
 
     /// The value as in the file.
@@ -83,7 +91,7 @@ impl<'a> Item<'a> {
     pub fn list(&self) -> Option<Vec<Item<'a>>> {
         match &self.value.kind {
             Kind::Array(items) => {
-                let item = |value| Item::new(self.document, &self.key, value);
+                let item = |value| Item::new(self.document, &self.key, &self.owner, value);
                 Some(items.iter().map(item).collect())
             }
             _ => None,

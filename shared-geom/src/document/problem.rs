@@ -1,9 +1,12 @@
 //! Errors of an input file in general.
 
-use crate::error::{Explain, nearest_name, quoted};
+use crate::error::{Explain, listed, nearest_name, quoted};
 use crate::expression::ExpressionProblem;
 use crate::files::nearest_file;
 use crate::units::UnitProblem;
+
+/// Most words that a sentence lists.
+const MANY: usize = 12;
 
 /// A problem of an input file, independent of its subject.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -52,6 +55,14 @@ pub enum DocumentProblem {
         /// Its kind, as text.
         what: &'static str,
     },
+    /// A file with keys of other files only.
+    #[error("this is no {kind}: it has no key of one, and begins with \"{key}\"")]
+    Foreign {
+        /// The expected kind, as text.
+        kind: &'static str,
+        /// The first key.
+        key: String,
+    },
     /// An unknown key.
     #[error("unknown key \"{key}\" in {table}")]
     UnknownKey {
@@ -85,7 +96,7 @@ pub enum DocumentProblem {
         expected: String,
     },
     /// A value outside of a fixed set of words.
-    #[error("\"{key}\" is \"{found}\", expected one of {}", quoted(.known))]
+    #[error("\"{key}\" is \"{found}\", expected one of {}", words(.known))]
     WrongWord {
         /// The key.
         key: String,
@@ -159,6 +170,15 @@ pub enum DocumentProblem {
     },
 }
 
+/// Words as they are listed within a sentence; only their number if they are many.
+fn words(known: &[String]) -> String {
+    if known.len() > MANY {
+        format!("{} words", known.len())
+    } else {
+        quoted(known)
+    }
+}
+
 impl Explain for DocumentProblem {
     fn help(&self) -> Option<String> {
         match self {
@@ -172,7 +192,7 @@ impl Explain for DocumentProblem {
                 Some(match (right_table, near) {
                     (Some(location), _) => format!("did you mean {location}?"),
                     (None, Some(near)) => format!("did you mean \"{near}\"?"),
-                    (None, None) => format!("known keys: {}", known.join(", ")),
+                    (None, None) => format!("known keys: {}", listed(known)),
                 })
             }
             Self::WrongWord {
@@ -182,7 +202,8 @@ impl Explain for DocumentProblem {
                 ..
             } => meant
                 .or_else(|| nearest_name(found, known.iter().map(String::as_str)))
-                .map(|near| format!("did you mean \"{near}\"?")),
+                .map(|near| format!("did you mean \"{near}\"?"))
+                .or_else(|| (known.len() > MANY).then(|| format!("words: {}", listed(known)))),
             Self::Syntax { help, .. } => help.clone(),
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),

@@ -106,7 +106,7 @@ impl<'a> Table<'a> {
     pub fn item(&self, key: impl AsRef<str>) -> Option<Item<'a>> {
         let key = key.as_ref();
         let value = self.look_up(key)?;
-        Some(Item::new(self.document, key, value))
+        Some(Item::new(self.document, key, &self.title, value))
     }
 
     /// As [`Table::item`], and required.
@@ -442,10 +442,10 @@ impl<'a> Table<'a> {
     }
 
     fn in_si(&self, key: &str, value: &Value, dimension: Dimension) -> Option<f64> {
-        Item::new(self.document, key, value).quantity(dimension)
+        Item::new(self.document, key, &self.title, value).quantity(dimension)
     }
 
     pub(super) fn wrong_value<T>(&self, key: &str, value: &Value, expected: &str) -> Option<T> {
-        Item::new(self.document, key, value).wrong(expected)
+        Item::new(self.document, key, &self.title, value).wrong(expected)
     }
 }

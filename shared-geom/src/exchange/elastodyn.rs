@@ -20,6 +20,7 @@ use crate::blade::{Blade, Interpolation, Station, rigid_force, rigid_torsion};
 use crate::document::read_text;
 use crate::error::{Diagnostics, SourceLocation};
 use crate::line::{Course, LinePoint, ReferenceLine};
+use crate::units::rounded;
 
 use super::named::{companion, named, required};
 use super::problem::{ExchangeProblem, Problems};
@@ -77,7 +78,7 @@ fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Readi
             named(text, &["TipRad"]).map_or(0, |found| found.line),
             &ExchangeProblem::Other {
                 what: "TipRad - HubRad, the length of the blade".to_owned(),
-                found: format!("{found} m"),
+                found: format!("{} m", rounded(found)),
                 expected: "more than zero".to_owned(),
                 help: "correct one of the radii".to_owned(),
             },
@@ -92,8 +93,9 @@ fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Readi
     reading.remarks.insert(
         0,
         format!(
-            "length {length} m: TipRad less HubRad; the radius of the hub, {hub} m, and the \
-             precone belong to the rotor: give hub_radius and precone"
+            "length {} m: TipRad less HubRad; the radius of the hub, {hub} m, and the \
+             precone belong to the rotor: give hub_radius and precone",
+            rounded(length)
         ),
     );
     Ok(reading)

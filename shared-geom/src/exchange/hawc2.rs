@@ -49,7 +49,7 @@ use st::{Row, SubSet};
 pub(super) use write::write;
 
 /// Part of the length by which the rows may end before or beyond the line and are
-/// stretched onto it: files measure differently along a bent blade.
+/// scaled to its length: files measure differently along a bent blade.
 const STRETCH: f64 = 0.02;
 
 /// A difference of lengths that rounded digits explain, as part of the length.
@@ -166,7 +166,7 @@ fn no_set(wanted: Option<(usize, usize, usize)>, names: &[String]) -> ExchangePr
     }
 }
 
-/// The line of `c2_def`, in Helicoid's axes, with the stated course.
+/// The line of `c2_def`, in Helicoid's axes, with the stated interpolation.
 fn line_of(body: &Body, course: Option<Course>, remarks: &mut Vec<String>) -> ReferenceLine {
     let axes = Convention::Hawc2.axes();
     let point = |&[x, y, z, twist]: &[f64; 4]| LinePoint {
@@ -184,7 +184,7 @@ fn line_of(body: &Body, course: Option<Course>, remarks: &mut Vec<String>) -> Re
             Course::Polyline
         };
         remarks.push(format!(
-            "the course of c2_def between its {} points is not stated: a {}",
+            "the interpolation between the {} points of c2_def is not stated: a {}",
             points.len(),
             course_name(course)
         ));
@@ -263,7 +263,7 @@ fn stretch(end: f64, length: f64, remarks: &mut Vec<String>) -> f64 {
     let what = format!("the rows end at r = {end:.4} m, the line c2_def at {length:.4} m");
     if off.abs() <= STRETCH {
         remarks.push(format!(
-            "{what}: the distances of the rows are stretched onto the line"
+            "{what}: the distances of the rows are scaled to the length of the line"
         ));
         return length / end;
     }
@@ -378,8 +378,8 @@ fn damping(body: &Body, remarks: &mut Vec<String>) -> Option<BladeDamping> {
     let times = Convention::Hawc2.values_to_ours(&[0.0, 0.0, 0.0, k_x, k_y, k_z]);
     times.iter().any(|&time| time != 0.0).then(|| {
         remarks.push(
-            "damping_posdef is read as times of bending and torsion; axial force and shears have \
-             none"
+            "the factors of damping_posdef are damping times of bending and torsion; axial \
+             force and shears have no damping"
                 .to_owned(),
         );
         BladeDamping::Times(times)

@@ -166,7 +166,7 @@ fn lost(blade: &Blade, curve: &Curve, model: &Model) -> Vec<String> {
     let off = off_line(curve, model);
     if off > EQUAL * curve.length() {
         lost.push(format!(
-            "the course of the line: parabolas through three nodes, off by up to {off:.1e} m"
+            "the shape of the line between its points: parabolas through three nodes, off by up to {off:.1e} m"
         ));
     }
     let beyond = model

@@ -22,7 +22,7 @@ pub(super) struct Plain {
     pub points: Vec<LinePoint>,
     /// Their arc lengths, as parts of the length [-].
     pub point_parts: Vec<f64>,
-    /// The course of the line between its points: straight or splined.
+    /// The interpolation of the line between its points: straight or splined.
     pub course: Course,
     /// Stations, each after the previous one.
     pub stations: Vec<Station>,
@@ -70,7 +70,7 @@ impl Plain {
     }
 }
 
-/// The word of a course in the head of a file.
+/// The word of an interpolation in the head of a file.
 pub(super) fn course_name(course: Course) -> &'static str {
     match course {
         Course::Polyline => "polyline",
@@ -78,7 +78,7 @@ pub(super) fn course_name(course: Course) -> &'static str {
     }
 }
 
-/// The course that a comment in the head of a file states, written by Helicoid: other
+/// The interpolation that a comment in the head of a file states, written by Helicoid: other
 /// tools leave it open.
 pub(super) fn stated_course(text: &str) -> Option<Course> {
     const HEAD: usize = 40;

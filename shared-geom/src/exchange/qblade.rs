@@ -1,5 +1,5 @@
 //! Blades of QBlade: the structural file with the table of the sections, `.str`, and the
-//! geometry with chord, twist and course of the axis, `.bld`. The turbine file, `.trb`, names
+//! geometry with chord, twist and shape of the axis, `.bld`. The turbine file, `.trb`, names
 //! both; the main structural file names the first.
 //!
 //! Full matrices (`BEAMTYPE` 2) are in BeamDyn's axes and order: x to the suction side, y to the

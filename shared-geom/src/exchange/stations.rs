@@ -216,7 +216,7 @@ pub(super) fn symmetric(
     Matrix6::from_fn(|i, j| 0.5 * matrix[(i, j)] + 0.5 * matrix[(j, i)])
 }
 
-/// Difference of the courses of two lines through the same points, half way between
+/// Distance of two lines through the same points, half way between
 /// points: position [m] and twist [rad].
 pub(super) fn apart(a: &ReferenceLine, b: &ReferenceLine) -> (f64, f64) {
     let (mut distance, mut twist) = (0.0_f64, 0.0_f64);

@@ -2,6 +2,7 @@
 
 use super::{Course, ReferenceLine};
 use crate::error::Explain;
+use crate::units::rounded;
 
 /// Smallest part of a step of the line outside of the direction of z: below it no chord
 /// is level [-].
@@ -32,7 +33,7 @@ pub enum LineProblem {
     },
     /// A splined line with decreasing x.
     #[error(
-        "point {point} of the line lies at x = {found} m, and the point before at {before} m: a splined line leads outward"
+        "point {point} of the line lies at x = {} m, and the point before at {} m: a splined line leads outward", rounded(*.found), rounded(*.before)
     )]
     Backward {
         /// Number of the point, from one.
@@ -49,7 +50,7 @@ pub enum LineProblem {
         point: usize,
     },
     /// An arc without length.
-    #[error("arc {arc} of the line is {found} m long, expected more than zero")]
+    #[error("arc {arc} of the line is {} m long, expected more than zero", rounded(*.found))]
     ArcLength {
         /// Number of the arc, from one.
         arc: usize,

@@ -122,6 +122,9 @@ pub enum PropertyProblem {
         /// The entry [unit of the matrix].
         value: f64,
     },
+    /// A stiffness without both shear stiffnesses.
+    #[error("stiffness has 0 at (2, 2) (shear y) and at (3, 3) (shear z), expected more than zero")]
+    NoShear,
     /// A matrix with a negative (or zero) eigenvalue.
     #[error("{field} is not {expected}: its smallest scaled eigenvalue is {value:.3e}")]
     Indefinite {
@@ -279,30 +282,28 @@ fn stiffness(k: &Matrix6<f64>, found: &mut Vec<FieldProblem>) {
     if !symmetric(field, &dynamic(k), found) {
         return;
     }
+    if k[(1, 1)] == 0.0 && k[(2, 2)] == 0.0 {
+        return found.push((field, PropertyProblem::NoShear));
+    }
     for i in 0..6 {
         if k[(i, i)] <= 0.0 {
-            let (index, value) = (i + 1, k[(i, i)]);
-            let component = COMPONENTS[i];
             let problem = PropertyProblem::Diagonal {
                 field,
-                index,
-                component,
-                value,
+                index: i + 1,
+                component: COMPONENTS[i],
+                value: k[(i, i)],
             };
             return found.push((field, problem));
         }
     }
     let value = smallest_scaled_eigenvalue(&dynamic(k));
     if value <= 0.0 {
-        let expected = "positive definite";
-        found.push((
+        let problem = PropertyProblem::Indefinite {
             field,
-            PropertyProblem::Indefinite {
-                field,
-                expected,
-                value,
-            },
-        ));
+            expected: "positive definite",
+            value,
+        };
+        found.push((field, problem));
     }
 }
 

@@ -11,6 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 use shared_geom::error::Explain;
+use shared_geom::units::rounded;
 
 /// Fewest samples of a record.
 const LEAST: usize = 20;
@@ -32,13 +33,13 @@ pub enum RecordProblem {
         samples: usize,
     },
     /// A value that is not a number.
-    #[error("the value at {time} s is not a number")]
+    #[error("the value at {} s is not a number", rounded(*.time))]
     Undefined {
         /// Its time \[s\].
         time: f64,
     },
     /// Times that do not increase.
-    #[error("the times do not increase: {} s comes after {} s", times[1], times[0])]
+    #[error("the times do not increase: {} s comes after {} s", rounded(.times[1]), rounded(.times[0]))]
     Unordered {
         /// A time and its successor \[s\].
         times: [f64; 2],

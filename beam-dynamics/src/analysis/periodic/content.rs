@@ -153,8 +153,8 @@ impl Observer<'_> {
         let azimuth = |blade: usize, k: usize| {
             blades[blade].azimuth + speed * self.period * k as f64 / u.len() as f64
         };
-        for place in 0..blades[0].nodes.len() {
-            let node = blades[0].nodes[place];
+        for index in 0..blades[0].nodes.len() {
+            let node = blades[0].nodes[index];
             let label = &self.model.system.nodes()[node].label;
             for kind in 0..2 {
                 let weight = self.masses[node][kind] * count as f64;
@@ -172,7 +172,7 @@ impl Observer<'_> {
                                 psi
                             };
                             let wave = Complex::from_polar(1.0 / count as f64, f64::from(h) * own);
-                            (turn(psi) * u[k][blades[blade].nodes[place]][kind]) * wave
+                            (turn(psi) * u[k][blades[blade].nodes[index]][kind]) * wave
                         });
                         parts.fold(Motion::zeros(), |a, b| a + b)
                     };

@@ -114,10 +114,10 @@ mod tests {
     // Half of a root: constant, and nearly zero, before the boundary.
     #[test]
     fn a_square_root_beside_a_constant() {
-        for place in [0.137, 0.5, 0.9001] {
-            let f = |x: f64| (x - place).max(0.0).sqrt() - 1e-9;
+        for kink in [0.137, 0.5, 0.9001] {
+            let f = |x: f64| (x - kink).max(0.0).sqrt() - 1e-9;
             let (x, count) = solved(f, [0.0, 1.0], 1e-8);
-            assert!((x - place).abs() < 3e-8, "{x} {place}");
+            assert!((x - kink).abs() < 3e-8, "{x} {kink}");
             assert!(count < 30, "{count}");
         }
     }

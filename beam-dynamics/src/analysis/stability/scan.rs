@@ -95,8 +95,8 @@ impl Scanner<'_, '_> {
             controls: Vec::new(),
         };
         let points = &mut self.scan.points;
-        let place = points.partition_point(|other| other.at < at);
-        points.insert(place, point);
+        let index = points.partition_point(|other| other.at < at);
+        points.insert(index, point);
         true
     }
 

@@ -15,6 +15,8 @@ use std::cell::Cell;
 use std::fmt;
 use std::ops::Range;
 
+use shared_geom::units::rounded;
+
 use super::failure::TransientFailure;
 use super::placing::velocity_constraints;
 use super::rates::{Accelerated, consistent_rates, find_momenta};
@@ -49,7 +51,7 @@ impl NextCorner {
 const LEFT: f64 = 1e-9;
 /// Relative jump of a force, or of an acceleration, below which a corner is ignored: the residual
 /// of a step is no smaller.
-const UNFELT: f64 = 1e-8;
+const NEGLIGIBLE: f64 = 1e-8;
 /// Number of corners of an element that are checked before a run; the others are checked when they
 /// are reached.
 const LOOKED_AT: usize = 1000;
@@ -104,11 +106,11 @@ pub(super) fn jump(
     let forces = (0..first).filter(|row| of_force(*row));
     let scalars = system.numbering().first_scalar()..earlier.values.len();
     let is_felt = forces.chain(scalars).any(|row| {
-        let least = UNFELT * earlier.sizes[row].max(later.sizes[row]);
+        let least = NEGLIGIBLE * earlier.sizes[row].max(later.sizes[row]);
         (later.values[row] - earlier.values[row]).abs() > least
     });
     let mut pairs = left_before.iter().zip(&left_after);
-    let jumps = |(a, b): (&f64, &f64)| (b - a).abs() > UNFELT * a.abs().max(b.abs());
+    let jumps = |(a, b): (&f64, &f64)| (b - a).abs() > NEGLIGIBLE * a.abs().max(b.abs());
     if is_felt || pairs.any(jumps) {
         Some(Jump::Acting)
     } else {
@@ -269,7 +271,11 @@ impl fmt::Display for JointImpulse {
         let Self {
             joint, time, count, ..
         } = self;
-        write!(f, "the drive of \"{joint}\" jumps in rate at t = {time} s")?;
+        write!(
+            f,
+            "the drive of \"{joint}\" jumps in rate at t = {} s",
+            rounded(*time)
+        )?;
         match *count {
             0 | 1 => {}
             2 => write!(f, " and once more")?,

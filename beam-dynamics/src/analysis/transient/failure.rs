@@ -1,6 +1,7 @@
 //! Reasons for a run in time that ended before its last instant, as text.
 
 use shared_geom::error::Explain;
+use shared_geom::units::rounded;
 
 use super::change::StartChange;
 use crate::analysis::steady::{NoEquilibrium, rpm};
@@ -14,11 +15,6 @@ mod step;
 
 pub use step::StepTrouble;
 pub(super) use step::quoted;
-
-/// A number as given, without digits of round-off.
-fn short(value: f64) -> f64 {
-    format!("{value:.9e}").parse().unwrap_or(value)
-}
 
 /// Remedy if scalars have no start.
 const UNDETERMINED: &str = "look for unknowns that no equation determines, as an output \
@@ -42,8 +38,9 @@ pub enum TransientFailure {
     SingularPosition(String),
     /// A redundant constraint is no longer redundant.
     #[error(
-        "at {time} s {constraint} at the start, but no longer: their violation is \
-         {value:.3e} {unit}"
+        "at {} s {constraint} at the start, but no longer: their violation is \
+         {value:.3e} {unit}",
+        rounded(*.time)
     )]
     Broken {
         /// The constraint and the constraints from which it followed, as text.
@@ -56,7 +53,7 @@ pub enum TransientFailure {
         unit: String,
     },
     /// Constraints that contradict others.
-    #[error("contradicting constraints, from {time} s on: {constraints}")]
+    #[error("contradicting constraints, from {} s on: {constraints}", rounded(*.time))]
     Contradicting {
         /// The constraints, and the contradicted ones, as text.
         constraints: String,
@@ -88,7 +85,8 @@ pub enum TransientFailure {
     },
     /// A driven rotation settled half a turn away, where its constraints are fulfilled too.
     #[error(
-        "at {time} s a driven rotation settled 180 deg away from its prescribed value: {constraint}"
+        "at {} s a driven rotation settled 180 deg away from its prescribed value: {constraint}",
+        rounded(*.time)
     )]
     TurnedOver {
         /// A constraint of the joint, as text.
@@ -98,8 +96,9 @@ pub enum TransientFailure {
     },
     /// The angle of a spring has passed half a turn, for a hinge relative to its relaxed angle.
     #[error(
-        "at {time} s the spring \"{spring}\" has turned by half a turn: its moment would jump \
-         and change its sign"
+        "at {} s the spring \"{spring}\" has turned by half a turn: its moment would jump \
+         and change its sign",
+        rounded(*.time)
     )]
     Wound {
         /// The spring or hinge.
@@ -147,8 +146,8 @@ pub enum TransientFailure {
     },
     /// A driven position jumps.
     #[error(
-        "the drive of \"{joint}\" jumps at {time} s: its {} from {} to {} {}",
-        .jump.what, short(.jump.from), short(.jump.to), .jump.unit
+        "the drive of \"{joint}\" jumps at {} s: its {} from {} to {} {}",
+        rounded(*.time), .jump.what, rounded(.jump.from), rounded(.jump.to), .jump.unit
     )]
     Jump {
         /// The joint.
@@ -171,7 +170,7 @@ pub enum TransientFailure {
         reason: String,
     },
     /// The recorder ended the run.
-    #[error("output ended the run at {time} s")]
+    #[error("output ended the run at {} s", rounded(*.time))]
     Recorder {
         /// Time reached [s].
         time: f64,

@@ -11,6 +11,8 @@
 //! J being the Jacobian of the step: about e m / h^2 in a regular position, and unbounded in a
 //! singular one.
 
+use shared_geom::units::rounded;
+
 use crate::assembly::System;
 use crate::integrator::Integrator;
 use crate::model::{NODE_UNKNOWNS, State};
@@ -74,6 +76,7 @@ impl Passed {
     /// Remarks for the user.
     pub fn remarks(&self) -> Vec<String> {
         let remark = |(reaction, time): &(String, f64)| {
+            let time = rounded(*time);
             format!(
                 "at t = {time} s the constraints are in a singular position, or nearly so: \
                  reactions of this step are not determined (round-off changes most: {reaction}); \

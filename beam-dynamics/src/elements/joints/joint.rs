@@ -8,6 +8,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
+use shared_geom::units::rounded;
 
 use super::algebra::{Attachment, Carrier, End, Ends, Held, Row, Seen, Turned};
 use super::relative;
@@ -462,7 +463,7 @@ impl Structure for ConstraintJoint {
             let length = seen.scale.value * target.value(&seen.now);
             (length <= 0.0).then_some(length)
         })?;
-        let time = at.loading.time;
+        let time = rounded(at.loading.time);
         Some(format!(
             "its length is zero or less: {length:.3e} m at {time} s"
         ))

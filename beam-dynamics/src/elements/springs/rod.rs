@@ -18,6 +18,7 @@
 //! References: [Masarati], rods.
 
 use nalgebra::{Vector1, Vector3};
+use shared_geom::units::rounded;
 
 use super::line::{End, Line, LineState, PullVariation};
 use crate::elements::laws::{Law, Response};
@@ -329,7 +330,7 @@ impl Structure for Rod {
     fn undefined(&self, at: &Local<'_>) -> Option<String> {
         let relaxed = self.relaxed.value(&at.instant());
         (relaxed <= 0.0).then(|| {
-            let time = at.loading.time;
+            let time = rounded(at.loading.time);
             format!("its relaxed length is zero or less: {relaxed:.3e} m at {time} s")
         })
     }

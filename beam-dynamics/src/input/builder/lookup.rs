@@ -25,6 +25,14 @@ impl ModelBuilder {
         let kinds = self.labels.keys().map(|label| label.0);
         kinds.filter(|own| *own == kind).count()
     }
+
+    /// Names of the clamped nodes, with the lines that clamp them.
+    pub fn clamp_lines(&self) -> impl Iterator<Item = (&str, usize)> {
+        let name = |node: usize| self.nodes[node].label.as_str();
+        self.clamps
+            .iter()
+            .map(move |(node, line)| (name(*node), *line))
+    }
 }
 
 impl LookUp<'_> {

@@ -130,6 +130,40 @@ fn keys_that_do_not_fit_together_are_reported() {
     }
 }
 
+/// A start in rotation needs a hub that can turn, and a joint that turns it.
+#[test]
+fn held_blades_that_start_in_rotation_are_refused() {
+    let strip = "[properties.s]\nea = 3e6\ngay = 1e6\ngaz = 1e6\ngj = 30\neiy = 40\neiz = 400\nm = 0.3\n\
+                 iy = 1e-5\niz = 1e-4\n";
+    let blades = "[[blade]]\nname = \"b\"\nhub_radius = 0.1\ncount = 2\nproperties = \"s\"\n\
+                  [[blade.piece]]\nlength = 1\nelements = 2\n";
+    let run = "[transient]\nto = 0.1\nstep = 1e-3\nstart = \"rotating\"\nspeed = 300\n";
+    let file = |hub: &str| format!("units = \"SI\"\n{strip}{hub}{blades}{run}");
+    let text = match read(&file("[hub]\naxis = [0, 0, 1]\n")) {
+        Ok(_) => panic!("accepted"),
+        Err(text) => text,
+    };
+    assert_eq!(
+        text,
+        "error: a.dynamics.toml:14: node \"b 1/root\" is clamped to the ground, and the start \
+         rotates at 300 rpm: it cannot turn\n  help: give [hub] support = { torsion = 0 }, so that \
+         it is the node \"hub\", which carries the blades, and add the joint that turns it: \
+         [[joint]] with name = \"shaft\", kind = \"spin\", nodes = [\"hub\"], axis = [0, 0, 1], \
+         speed = \"300 rpm\""
+    );
+    let held = "[hub]\nsupport = { axial = 1e6 }\nmass = 1\ninertia = [1, 1, 1]\n";
+    let text = read(&file(held)).err().unwrap_or_default();
+    assert!(
+        text.contains("a.dynamics.toml:12: the support of the hub holds its rotation"),
+        "{text}"
+    );
+    // The help, as it is written, is right.
+    let free = "[hub]\nsupport = { torsion = 0 }\nmass = 1\ninertia = [1, 1, 1]\n[[joint]]\n\
+                name = \"shaft\"\nkind = \"spin\"\nnodes = [\"hub\"]\naxis = [0, 0, 1]\n\
+                speed = \"300 rpm\"\n";
+    assert_eq!(read(&file(free)).err(), None);
+}
+
 #[test]
 fn velocities_without_a_run_and_loose_nodes_are_reported() {
     let text = match read(&format!("{BODY}[static]\nspeed = 0\n")) {

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use serde_json::error::Category;
+use shared_geom::file_kind::FileKind;
 use shared_geom::files::read_bytes;
 
 use super::{RunFileProblem, cannot_read, cannot_write};
@@ -37,7 +39,20 @@ pub fn read_snapshot(path: &Path) -> Result<Snapshot, RunFileProblem> {
 pub fn parse_snapshot(bytes: &[u8], path: &Path) -> Result<Snapshot, RunFileProblem> {
     serde_json::from_slice(bytes).map_err(|error| RunFileProblem::Unreadable {
         file: path.display().to_string(),
-        reason: format!("it is not a restart file: {error}"),
+        reason: reason(&error, bytes, path),
         remedy: "name a file NAME.restart.json that transient wrote",
     })
+}
+
+/// The reason for which the content of the file at `path` is no snapshot.
+fn reason(error: &serde_json::Error, bytes: &[u8], path: &Path) -> String {
+    let kind = FileKind::of(path, &String::from_utf8_lossy(bytes));
+    let location = format!("line {}, column {}", error.line(), error.column());
+    match (kind, error.classify()) {
+        (Some(FileKind::Restart), Category::Eof) => "the restart file ends early".to_owned(),
+        (Some(FileKind::Restart), _) => format!("the restart file is damaged at {location}"),
+        (Some(kind), _) => format!("it is {}, expected a restart file", kind.words()),
+        (None, Category::Data) => "it is not a restart file, but other JSON".to_owned(),
+        (None, _) => "it is not a restart file: it is not JSON".to_owned(),
+    }
 }

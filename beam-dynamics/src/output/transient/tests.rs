@@ -319,3 +319,40 @@ fn files_that_are_no_tables_are_reported() {
     );
     assert!(reported.help().unwrap().contains("NAME.restart.json"));
 }
+
+#[test]
+fn files_that_are_no_states_are_reported_with_their_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content, expected) in [
+        (
+            "b.properties.json",
+            "{}",
+            "it is a property file of a section, expected a restart file",
+        ),
+        (
+            "c.json",
+            "{\n  \"format\": \"helicoid blade\"\n}",
+            "it is a blade file, expected a restart file",
+        ),
+        (
+            "d.json",
+            "{ \"a\": 1 }",
+            "it is not a restart file, but other JSON",
+        ),
+        (
+            "e.restart.json",
+            "{ \"time\": 1",
+            "the restart file ends early",
+        ),
+        (
+            "f.restart.json",
+            "{\n}",
+            "the restart file is damaged at line 2, column 1",
+        ),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        let reported = read_snapshot(&path).unwrap_err().to_string();
+        assert!(reported.ends_with(expected), "{reported}");
+    }
+}

@@ -80,9 +80,6 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Draw each figure as SVG too, next to its PNG
     #[arg(long, conflicts_with = "no_figures")]
     pub svg: bool,
-    /// Print no report; problems and warnings are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
     /// materials and the fiber and plane angle of every region
     #[arg(long)]
@@ -99,7 +96,7 @@ pub(in crate::cli) struct AnalyzeArguments {
     )]
     pub sensitivity_nodes: Vec<u64>,
     /// Estimate of the discretization error of each entry of the stiffness, by a second
-    /// analysis with about four times the number of unknowns
+    /// analysis with up to four times the number of unknowns
     #[arg(long)]
     pub mesh_error: bool,
     /// Driven electrode that is open in this run, with zero charge instead of a voltage;

@@ -31,7 +31,4 @@ pub(in crate::cli) struct CheckArguments {
     /// Draw each figure as SVG too, next to its PNG
     #[arg(long, requires = "out", conflicts_with = "no_figures")]
     pub svg: bool,
-    /// Print no report; problems and warnings are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
 }

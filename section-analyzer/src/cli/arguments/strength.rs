@@ -83,7 +83,4 @@ pub(in crate::cli) struct StrengthArguments {
     /// Sections solved at the same time; the number of cores if not given
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = count)]
     pub threads: Option<NonZeroUsize>,
-    /// Print no report; problems and warnings are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
 }

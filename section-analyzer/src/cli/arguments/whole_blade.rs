@@ -140,7 +140,4 @@ pub(in crate::cli) struct WholeBladeArguments {
     /// Draw each figure as SVG too, next to its PNG
     #[arg(long, conflicts_with = "no_figures")]
     pub svg: bool,
-    /// Print no report; problems and warnings are still reported on the error stream
-    #[arg(long, short)]
-    pub quiet: bool,
 }

@@ -232,7 +232,7 @@ impl Course {
         Self::new(eta, value, self.kind)
     }
 
-    /// The word of the course between positions.
+    /// The word of the interpolation between positions.
     pub fn word(&self) -> &'static str {
         WORDS[self.kind as usize]
     }

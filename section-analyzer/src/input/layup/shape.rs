@@ -50,7 +50,7 @@ struct Airfoil {
 }
 
 impl Shape {
-    /// The contours of airfoils at positions along the span, or at thicknesses if there is a course
+    /// The contours of airfoils at positions along the span, or at thicknesses if there is a curve
     /// of the thickness.
     ///
     /// # Errors
@@ -135,8 +135,8 @@ impl Shape {
         (0..all[0].even.len()).map(point).collect()
     }
 
-    /// The airfoils as written: position along the span, or relative thickness if there is a
-    /// course of it, and points.
+    /// The airfoils as written: position along the span, or relative thickness if it is
+    /// given along the span, and points.
     pub fn airfoils(&self) -> impl Iterator<Item = (f64, &Points)> {
         self.airfoils.iter().map(|one| (one.at, &one.written))
     }

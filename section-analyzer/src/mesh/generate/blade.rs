@@ -15,6 +15,7 @@ mod fill;
 mod layers;
 mod naca;
 mod problem;
+mod retry;
 mod skin;
 mod spar;
 mod types;
@@ -46,6 +47,18 @@ impl Blade {
     /// # Errors
     /// All problems that prevent a mesh.
     pub fn generate(&self) -> Result<Mesh, Vec<BladeProblem>> {
+        self.generate_at_size().map_err(|mut problems| {
+            for problem in &mut problems {
+                if let BladeProblem::Folded { unfolded, .. } = problem {
+                    *unfolded = retry::unfolded_size(self, Self::generate_at_size);
+                }
+            }
+            problems
+        })
+    }
+
+    /// The mesh with the requested size of cells.
+    fn generate_at_size(&self) -> Result<Mesh, Vec<BladeProblem>> {
         let skin_layers = layers(self.skin.iter());
         let depth = thickness(&skin_layers);
         self.check(depth)?;
@@ -86,6 +99,7 @@ impl Blade {
                 count: folded.count,
                 part: self.contour.chord_part(folded.position[0]),
                 position: folded.position,
+                unfolded: None,
             }]),
         }
     }

@@ -155,7 +155,7 @@ keys! {
     /// The line between the points: straight pieces with twist linear in arc length, or natural
     /// cubic splines over the span.
     pub(super) COURSE: usize = "course", [Word(&["polyline", "spline"])]
-        as "\"polyline\" or \"spline\": the course of the line between its points", required,
+        as "\"polyline\" or \"spline\": the interpolation between the points of the line", required,
         "\"spline\"";
     /// Outward.
     SPAN: Vec<f64> = "span", [Quantities(Dimension::LENGTH)], required, "[0, 60, 100, 120]";

@@ -161,7 +161,7 @@ impl Lists<'_> {
     }
 }
 
-/// A line through points: coordinates in the frame, or span, sweep and prebend; with its course
+/// A line through points: coordinates in the frame, or span, sweep and prebend; with its interpolation
 /// between them.
 fn through(
     table: &Table<'_>,

@@ -92,7 +92,7 @@ fn between(plain: &Plain) -> Option<String> {
     });
     let (size, s) = greatest(sizes)?;
     Some(format!(
-        "the course of the stiffness between the rows: HAWC2 interpolates each column linearly, \
+        "the interpolation of the stiffness between the rows: HAWC2 interpolates each column linearly, \
          Helicoid the entries about the line; half way, the difference is up to {size:.2e} of \
          the diagonal, at {s:.3} m"
     ))

@@ -149,7 +149,7 @@ fn the_dtu_10mw_is_read_with_its_line() {
         reading
             .remarks
             .iter()
-            .any(|remark| remark.contains("stretched"))
+            .any(|remark| remark.contains("scaled to the length"))
     );
     // E A of the first row, E I_x about the chord, G I_p at the shear center nearby
     let k = blade.stations[0].stiffness;

@@ -1,4 +1,4 @@
-//! The geometry of a blade, `.bld`: chord, twist and course of the axis at sections, linear
+//! The geometry of a blade, `.bld`: chord, twist and shape of the axis at sections, linear
 //! between them. Airfoils are not used.
 //!
 //! The axis is the thread axis, about which sections are turned and on which the structural beam

@@ -88,7 +88,7 @@ fn damping(times: &[f64; 6]) -> Option<BladeDamping> {
     })
 }
 
-/// The line of a reference axis \[m\] and its twist, positive nose down \[rad\]; its course is the
+/// The line of a reference axis \[m\] and its twist, positive nose down \[rad\]; its interpolation is the
 /// one that `text` states, else a remark states which is taken.
 pub fn line(
     [x, y, z]: &[Column; 3],
@@ -114,7 +114,7 @@ pub fn line(
             (Course::Polyline, "straight lines")
         };
         remarks.push(format!(
-            "the course of the reference axis between its {} points is not stated: {words}",
+            "the interpolation between the {} points of the reference axis is not stated: {words}",
             points.len()
         ));
         course

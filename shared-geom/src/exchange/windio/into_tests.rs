@@ -37,8 +37,8 @@ fn others<'a>(text: &'a str, keys: &[&str]) -> Vec<&'a str> {
     text.lines().filter(is_other).collect()
 }
 
-// The course of the axis is a comment of Helicoid's files, which this file does not have:
-// it is read as a spline, as the course of the sample is.
+// The interpolation of the axis is a comment of Helicoid's files, which this file does not have:
+// it is read as a spline, like the sample.
 #[test]
 fn the_blade_comes_back_and_other_lines_stay() {
     let extra = "        outer_shape:\n            # kept\n            chord: {grid: [0, 1], values: [5, 1]}\n";

@@ -3,6 +3,8 @@
 //! Based on the reason, the history of the iteration, the latest accepted state, the times at which
 //! drives have values, and the elements without a value at the last trial state.
 
+use shared_geom::units::rounded;
+
 use crate::analysis::transient::energy::Finding;
 use crate::analysis::transient::failure::quoted;
 use crate::analysis::transient::multibody::Multibody;
@@ -146,6 +148,7 @@ impl<'a> FailureContext<'a> {
             Some((format!("\"{}\"", element.label()), element.domain()))
         };
         let (whose, [first, last]) = gravity.or_else(of_element)?;
+        let [first, last, time] = [first, last, time].map(rounded);
         Some(Cause::new(
             format!(
                 "a drive of {whose} has values from {first} s to {last} s, and the step goes to \
@@ -240,7 +243,7 @@ impl<'a> FailureContext<'a> {
                 &[remedy],
             );
         }
-        let time = self.failure.time + self.failure.length;
+        let time = rounded(self.failure.time + self.failure.length);
         let what = match (by_time, element.senses()) {
             (true, _) => format!("has no value at {time} s, at any position of the nodes"),
             (false, true) => "has no value at the sensed quantities there".to_owned(),

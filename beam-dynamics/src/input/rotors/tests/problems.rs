@@ -209,7 +209,7 @@ const CONTROLS: &[(&str, &str)] = &[
     ),
     (
         "cosine = { kind = \"ramp\", to = 1 }",
-        "the drive under \"cosine\" has none of \"end\" and \"duration\", expected one",
+        "the drive under \"cosine\" of [rotor.swashplate] has none of \"end\" and \"duration\", expected one",
     ),
     (
         "sine = \"= height\"",

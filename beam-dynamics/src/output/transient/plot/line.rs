@@ -16,8 +16,8 @@ pub(super) fn of_column(number: usize) -> Stroke {
     Stroke::new(WIDTH, CATEGORIES[number % COLORS]).dashed(number / COLORS)
 }
 
-/// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, so that they
-/// remain visible below a later run that covers them.
+/// Line of run `run` of `runs`, distinguished by colors: earlier ones are broader, and the last one is
+/// dashed, so that they remain visible below a later run that covers them.
 pub(super) fn of_run(run: usize, runs: usize) -> Stroke {
     let above = if runs <= TONES {
         runs - 1 - run.min(runs - 1)
@@ -25,9 +25,12 @@ pub(super) fn of_run(run: usize, runs: usize) -> Stroke {
         0
     };
     let width = WIDTH + 1.5 * above as f64;
+    let is_last = run > 0 && run + 1 == runs && runs <= TONES;
+    let stroke = of_column(run);
     Stroke {
         width,
-        ..of_column(run)
+        pattern: if is_last { 1 } else { stroke.pattern },
+        ..stroke
     }
 }
 
@@ -106,6 +109,15 @@ fn spaced(points: &[[f64; 2]], across: f64, pixels: f64) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_last_of_equal_runs_shows_the_others_between_its_dashes() {
+        let patterns = |runs| [0, 1, 2, 3].map(|run| of_run(run, runs).pattern);
+        assert_eq!(patterns(4), [0, 0, 0, 1]);
+        assert_eq!(of_run(0, 1).pattern, 0);
+        let widths = [0, 1].map(|run| of_run(run, 2).width);
+        assert!(widths[0] > widths[1], "{widths:?}");
+    }
 
     // 20 000 waves on 100 pixels: every pixel shows the whole height, and a single peak
     // stays, where every hundredth point would show neither.

@@ -193,6 +193,8 @@ pub enum BladeProblem {
         part: f64,
         /// Its center [unit of the mesh].
         position: [f64; 2],
+        /// A size of cells with which no cell folds [unit of the mesh].
+        unfolded: Option<f64>,
     },
 }
 
@@ -254,8 +256,13 @@ impl Explain for BladeProblem {
             }
             Self::EdgeThick { .. } => "closure = \"open\" gives a skin without a wall there",
             Self::TooManyCells { .. } => "larger cells: [mesh] size",
+            Self::Folded {
+                unfolded: Some(size),
+                ..
+            } => return Some(format!("no cell folds with [mesh] size = {}", short(*size))),
             Self::Folded { .. } => {
-                "smaller cells ([mesh] size), or thinner plies at the corner there"
+                "thinner plies at the corner there; sizes of cells from a quarter of [mesh] size to \
+                 16 times this size fold too"
             }
             _ => return None,
         };

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use shared_geom::error::SourceLocation;
+use shared_geom::error::{Explain, SourceLocation};
 use shared_geom::mesh::{Cell, CellKind, Mesh};
 
-use super::super::super::{SectionMesh, distance};
+use super::super::super::{SectionMesh, distance, short};
 use super::*;
 
 const CHORD: f64 = 100.0;
@@ -448,4 +448,38 @@ fn airfoils_that_are_none_are_reported() {
         reported(&crossed)[..],
         [BladeProblem::Crossed { .. } | BladeProblem::LowerFirst, ..]
     ));
+}
+
+/// Caps as thick as the thickest cells along the wall: small cells beside the corners of the webs
+/// fold, and cells as long as the caps are thick do not.
+#[test]
+fn a_size_of_cells_without_folds_is_recommended() {
+    let mut cap = around("cap", 2.3);
+    cap.webs = [false; 2];
+    let points = naca("0030", false).unwrap();
+    let blade = Blade {
+        contour: Contour::new(&points, CHORD, 0.25, 1.0).unwrap(),
+        skin: vec![ply("skin", 0.1)],
+        spar: Some(Spar {
+            front_web: Some(0.2),
+            rear_web: 0.5,
+            plies: vec![cap, around("web", 0.33)],
+        }),
+        sizes: Sizes::new(0.67),
+        ..skin("0030", false)
+    };
+    let Err(problems) = blade.generate() else {
+        panic!("cells of this size do not fold");
+    };
+    let [problem @ BladeProblem::Folded { unfolded, .. }] = &problems[..] else {
+        panic!("{problems:?}");
+    };
+    let size = unfolded.unwrap();
+    let help = problem.help().unwrap();
+    assert_eq!(
+        help,
+        format!("no cell folds with [mesh] size = {}", short(size))
+    );
+    let sizes = Sizes::new(size);
+    assert!(Blade { sizes, ..blade }.generate().is_ok());
 }
