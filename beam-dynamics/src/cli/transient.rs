@@ -202,7 +202,7 @@ fn run(
     let text = outcome_text(input, settings, &outcome);
     terminal.remark(name, &[&input.remarks[..], &outcome.remarks].concat());
     terminal.show(&text);
-    let mut code = DONE;
+    let (mut code, title) = (DONE, &input.model.name);
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
         let end = short_number(outcome.time, 9);
         let written = || format!("; all up to {end} s is written");
@@ -215,7 +215,6 @@ fn run(
         ));
         code = NOT_REACHED;
     }
-    let title = &input.model.name;
     code.max(finish(watched.files, (title, &(head + &text)), terminal))
 }
 
