@@ -198,7 +198,7 @@ fn run(
     let text = outcome_text(input, settings, &outcome);
     terminal.remark(name, &[&input.remarks[..], &outcome.remarks].concat());
     terminal.show(&text);
-    let mut code = DONE;
+    let (mut code, title) = (DONE, &input.model.name);
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
         let written = watched.files.has_rows().then(|| {
             let end = short_number(outcome.time, 9);
@@ -208,8 +208,7 @@ fn run(
         report(input, (name, failure), &written, terminal);
         code = NOT_REACHED;
     }
-    let result = (input.model.name.as_str(), head + &text);
-    code.max(finish(watched.files, (result.0, &result.1), terminal))
+    code.max(finish(watched.files, (title, &(head + &text)), terminal))
 }
 
 /// Reports a failure with the cards that it concerns, the remedy, and the part that is written.

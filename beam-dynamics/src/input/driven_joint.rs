@@ -1,4 +1,4 @@
-//! Driven joints, and what the modes of a model show of them.
+//! Driven joints, and how the modes of a model show them.
 
 use super::number::short_number;
 use crate::elements::Signal;

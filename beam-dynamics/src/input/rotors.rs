@@ -29,6 +29,7 @@ mod flexbeam_keys;
 mod flexbeam_parts;
 mod hubs;
 mod keys;
+mod mounts;
 mod parts;
 mod pitch;
 mod plate;

@@ -184,14 +184,11 @@ fn a_quiet_run_prints_problems_only() {
 fn a_good_run_writes_everything_and_says_where() {
     let folder = Folder::new();
     let measured = "[measured]\nfile = \"a.csv\"\nleave_out = [\"lag\"]\n";
-    folder.write(
-        "in/a.csv",
-        "speed_rpm,frequency_hz,order\n0,1.4,1\n750,14.8,1\n",
-    );
+    let points = "speed_rpm,frequency_hz,order\n0,1.4,1\n750,14.8,1\n";
+    folder.write("in/a.csv", points);
     folder.write("in/strip.properties.json", &section::write(&strip()));
     folder.write("in/a.dynamics.toml", &format!("{BLADE}{measured}"));
     let run = folder.run(&["modes", "in/a.dynamics.toml"]);
-    assert_eq!((run.code, run.err.as_str()), (0, ""));
     let files = [
         "frequencies.csv",
         "modes.csv",
@@ -238,6 +235,7 @@ fn a_good_run_writes_everything_and_says_where() {
             .starts_with("0,1,flap 1,1.4,1."),
         "{comparison}"
     );
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
     let png = fs::read(folder.path("in/results/a.fan.png")).unwrap();
     assert_eq!(&png[..4], b"\x89PNG");
 }

@@ -9,9 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use beam_dynamics::analysis::transient::transient;
-use beam_dynamics::result::{AcceptedStep, Recorder};
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::Complex;
 use serde_json::Value;
 
 use super::{analyzed, farthest, modes, multipliers};
@@ -21,17 +19,11 @@ const SPEED: f64 = 5.0;
 
 /// The body at 0.95 rad from the shaft, and the cards of the shaft.
 fn hoop(shaft: &str, settings: &str) -> String {
+    let (s, c) = 0.95_f64.sin_cos();
     let period = TAU / SPEED;
-    let cards = hoop_at(0.95, shaft);
-    format!("{cards}[periodic]\nperiod = {period:?}\n{settings}\n")
-}
-
-/// The same with the body at an angle from the shaft, without an analysis.
-fn hoop_at(angle: f64, shaft: &str) -> String {
-    let (s, c) = angle.sin_cos();
     format!(
         "[[node]]\nname = \"shaft\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, {SPEED:?}]\n\
-         [[node]]\nname = \"arm\"\nposition = [{:?}, 0, {:?}]\norientation = [0, {:?}, 0]\n\
+         [[node]]\nname = \"arm\"\nposition = [{:?}, 0, {:?}]\norientation = [0, -0.95, 0]\n\
          velocity = [0, {:?}, 0]\nangular_velocity = [0, 0, {SPEED:?}]\n\
          [[body]]\nname = \"shaft\"\nnode = \"shaft\"\nmass = 1\ninertia = [1, 1, 2]\n\
          [[body]]\nname = \"arm\"\nnode = \"arm\"\nmass = 1.5\ninertia = [0.14, 0.24, 0.2]\n\
@@ -39,10 +31,10 @@ fn hoop_at(angle: f64, shaft: &str) -> String {
          at = [0, 0, 0]\naxis = [0, 1, 0]\n\
          [[joint]]\nname = \"bearing\"\nkind = \"revolute\"\nnodes = [\"shaft\"]\n\
          axis = [0, 0, 1]\n{shaft}\
-         [gravity]\nacceleration = [0, 0, -9.81]\n",
+         [gravity]\nacceleration = [0, 0, -9.81]\n\
+         [periodic]\nperiod = {period:?}\n{settings}\n",
         0.8 * s,
         -0.8 * c,
-        -angle,
         0.8 * s * SPEED,
     )
 }
@@ -130,57 +122,5 @@ fn the_torque_of_a_free_shaft() {
         if drag > 0.0 {
             assert_eq!((neutral.count(), own.len()), (1, 3));
         }
-    }
-}
-
-/// Heights of the body in a run in time.
-struct Heights(Vec<f64>);
-
-impl Recorder for Heights {
-    fn record(&mut self, step: &AcceptedStep<'_>) -> bool {
-        self.0.push(step.state.nodes[1].position.z);
-        true
-    }
-}
-
-// The growth of the linearized two-step map of a revolution (`theory-periodic/maps.json`) is that of small
-// motions in time: `z_(n+2) - p z_(n+1) + q z_n = c` with the roots exp(s h), by least squares. Motions
-// of 2e-4 rad, whose squares change the growth by less than 1 %.
-#[test]
-fn small_motions_in_time_have_the_exponents_of_the_two_step_map() {
-    let rows = reference("theory-periodic/maps.json")["two_step_hoop"].clone();
-    let [cosine, frequency] = exact();
-    for row in rows.as_array().unwrap() {
-        let number = |key: &str| row[key].as_f64().unwrap();
-        let (radius, steps) = (number("rho"), number("steps"));
-        let step = TAU / SPEED / steps;
-        let shaft = format!("angle = \"= {SPEED:?}*t\"\n");
-        let run = format!(
-            "[transient]\nto = {:?}\nstep = {step:?}\nscheme = \"two-step\"\nradius = {radius}\n\
-             [transient.newton]\ntolerance = 1e-13\n",
-            6.0 * TAU / SPEED
-        );
-        let units = "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n";
-        let text = format!("{units}{}{run}", hoop_at(cosine.acos() + 2e-4, &shaft));
-        let input = beam_dynamics::input::parse(&text, "hoop.dynamics.toml");
-        let input = input.unwrap_or_else(|problems| panic!("{problems}"));
-        let settings = input.transient.as_ref().unwrap();
-        let mut heights = Heights(Vec::new());
-        let outcome = transient(&input.model, settings, None, &mut heights, &|| 0.0);
-        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-        // Without the start of one step.
-        let z = &heights.0[8..];
-        let lines = z.windows(3);
-        let matrix = DMatrix::from_fn(lines.len(), 3, |i, j| [z[i + 1], z[i], 1.0][j]);
-        let right = DVector::from_fn(lines.len(), |i, _| z[i + 2]);
-        let normal = matrix.transpose() * &matrix;
-        let found = normal.lu().solve(&(matrix.transpose() * right)).unwrap();
-        let root = Complex::new(0.5 * found[0], 0.0)
-            + Complex::new(0.25 * found[0] * found[0] + found[1], 0.0).sqrt();
-        let exponent = root.ln() / step;
-        let growth = exponent.re / number("real") - 1.0;
-        let off = (exponent.im - frequency).abs() / number("freq_err") - 1.0;
-        println!("{row}: {exponent} {growth} {off}");
-        assert!(growth.abs() < 0.02 && off.abs() < 0.02, "{row}: {exponent}");
     }
 }

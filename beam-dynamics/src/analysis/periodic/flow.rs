@@ -199,3 +199,76 @@ impl<'a> Flow<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+    use shared_geom::rotation::vector;
+
+    use super::*;
+    use crate::analysis::transient::start;
+
+    /// A body on a hinge across a turning shaft, for one step of a revolution in 64.
+    const HOOP: &str = "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n\
+        [[node]]\nname = \"shaft\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, 5]\n\
+        [[node]]\nname = \"arm\"\nposition = [0.65, 0, -0.46]\norientation = [0, -0.95, 0]\n\
+        velocity = [0, 3.25, 0]\nangular_velocity = [0, 0, 5]\n\
+        [[body]]\nname = \"shaft\"\nnode = \"shaft\"\nmass = 1\ninertia = [1, 1, 2]\n\
+        [[body]]\nname = \"arm\"\nnode = \"arm\"\nmass = 1.5\ninertia = [0.14, 0.24, 0.2]\n\
+        [[joint]]\nname = \"hinge\"\nkind = \"revolute\"\nnodes = [\"shaft\", \"arm\"]\n\
+        at = [0, 0, 0]\naxis = [0, 1, 0]\n\
+        [[joint]]\nname = \"bearing\"\nkind = \"revolute\"\nnodes = [\"shaft\"]\naxis = [0, 0, 1]\n\
+        [gravity]\nacceleration = [0, 0, -9.81]\n\
+        [periodic]\nperiod = 0.019634954\nsteps = 8\n";
+
+    /// Changes of the nodes from one state to another, in the order of their unknowns.
+    fn difference(from: &State, to: &State) -> Vec<f64> {
+        let pairs = from.nodes.iter().zip(&to.nodes);
+        let of_node = |(a, b): (&crate::model::NodeMotion, &crate::model::NodeMotion)| {
+            let parts: [Vector3<f64>; 4] = [
+                b.position - a.position,
+                vector::from_rotation(&(b.rotation * a.rotation.transpose())),
+                b.momentum - a.momentum,
+                b.angular_momentum - a.angular_momentum,
+            ];
+            parts.iter().flatten().copied().collect::<Vec<_>>()
+        };
+        pairs.flat_map(of_node).collect()
+    }
+
+    // The linearized step against central differences of the step itself, in directions that violate the
+    // constraints too; an independent program has 1.7e-10 for the same (`theory-periodic/maps.json`).
+    #[test]
+    fn the_map_of_a_step_is_its_derivative() {
+        const SMALL: f64 = 1e-4;
+        let input = crate::input::parse(HOOP, "hoop.dynamics.toml").unwrap();
+        let settings = input.periodic.as_ref().unwrap();
+        let model = &input.model;
+        let state = start(model, &settings.start).unwrap().state;
+        let mut flow = Flow::new(model, settings, 1, &state);
+        let (_, map) = flow.linearized(&state).unwrap();
+        let map = map.unwrap();
+        let nodes = state.nodes.len();
+        for seed in 0..4 {
+            let entry = |i: usize| match map.algebraic()[i] {
+                true => 0.0,
+                false => (1.7 * (i + 30 * seed) as f64).sin(),
+            };
+            let direction: Vec<f64> = (0..map.size()).map(entry).collect();
+            let ends = [-SMALL, SMALL].map(|factor| {
+                let mut moved = state.clone();
+                let change: Vec<_> = direction.iter().map(|d| d * factor).collect();
+                moved.correct(&change);
+                flow.run(&moved, &mut |_| true).unwrap()
+            });
+            let mut expected = direction.clone();
+            map.apply(&mut expected).unwrap();
+            let found = difference(&ends[0], &ends[1]);
+            assert_eq!(found.len(), crate::model::NODE_UNKNOWNS * nodes);
+            for (found, expected) in found.iter().zip(&expected) {
+                let off = found / (2.0 * SMALL) - expected;
+                assert!(off.abs() < 1e-5, "{off} {expected}");
+            }
+        }
+    }
+}

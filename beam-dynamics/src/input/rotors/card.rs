@@ -20,6 +20,8 @@ use super::flexbeam_keys::{FLEXBEAM, SNUBBER, TORQUE_TUBE};
 use super::flexbeam_parts;
 use super::hubs::{HUBS, HubKind};
 use super::keys;
+use super::mounts::keys::{NACELLE, PYLON, TOWER};
+use super::mounts::{self, Mount};
 use super::parts;
 use super::pitch;
 use super::plate::Plate;
@@ -44,6 +46,8 @@ pub(super) struct Rotor {
     pub axes: Matrix3<f64>,
     /// Its shaft with the drive.
     pub shaft: Shaft,
+    /// What carries the shaft, and the node that holds this.
+    mount: Option<(Mount, Option<String>)>,
     hub: &'static HubKind,
     body: Option<Lump>,
     blade: Vec<(String, Content)>,
@@ -72,10 +76,9 @@ fn azimuth(table: &Table<'_>, context: &Context) -> Option<f64> {
 pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let name = name(table);
     let hub = table.get(&keys::HUB).map(|index| &HUBS[index]);
-    let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
-    let axes = axes(table);
     let (azimuth, count) = (azimuth(table, context), table.get(&keys::BLADES));
     let shown = name.clone().unwrap_or_default();
+    let placement = placement(table, &shown, context);
     let shaft = shaft(table, &shown, context);
     let body = body(table, &shown);
     let blade = parts::blade(table);
@@ -92,10 +95,11 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     table.finish();
     let (hub, (shaft, initial), blade) = (hub?, shaft?, blade?);
     let (mut controls, inflow, flexbeam) = (controls?, inflow?, flexbeam?);
+    let placement = placement?;
     let mut base = Base {
         name: name?,
         line: table.line(),
-        carrier: carrier?,
+        carrier: placement.carrier,
         count: count?,
         azimuth: azimuth?,
         precone: blade.precone,
@@ -111,8 +115,9 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     };
     controls.build_in(&mut base, root);
     let rotor = Rotor {
-        center: center?,
-        axes: axes?,
+        center: placement.center,
+        axes: placement.axes,
+        mount: placement.mount,
         shaft,
         hub,
         body: body?,
@@ -127,6 +132,37 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         base,
     };
     is_sound(&rotor, table).then_some(rotor)
+}
+
+/// Place of a rotor, and what carries it.
+struct Placement {
+    center: Vector3<f64>,
+    axes: Matrix3<f64>,
+    /// Node that carries the shaft.
+    carrier: Option<String>,
+    /// What carries the shaft, and the node that holds this.
+    mount: Option<(Mount, Option<String>)>,
+}
+
+fn placement(table: &Table<'_>, name: &str, context: &Context) -> Option<Placement> {
+    let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
+    let (axes, mount) = (axes(table), mounts::read(table, name, context));
+    let (carrier, center, axes, mount) = (carrier?, center?, axes?, mount?);
+    let Some(mount) = mount else {
+        return Some(Placement {
+            center,
+            axes,
+            carrier,
+            mount: None,
+        });
+    };
+    let place = mount.place(table)?;
+    Some(Placement {
+        center: place.center,
+        axes: axes_of(table, &place.axis, &place.aft)?,
+        carrier: Some(mount.node(name)),
+        mount: Some((mount, carrier)),
+    })
 }
 
 /// The name, which must be a part of names in expressions.
@@ -149,16 +185,24 @@ fn units(document: &Document) -> Units {
     }
 }
 
-/// Axes of a rotor: aft, across, along the shaft.
+/// Axes of a rotor by the keys of its card.
 fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
     let (axis, aft) = (table.get(&keys::AXIS), table.get(&keys::AFT));
-    let (axis, aft) = (axis?, aft?);
+    let is_mounted = [TOWER.name(), NACELLE.name(), PYLON.name()];
+    if is_mounted.into_iter().any(|key| table.has(key)) {
+        return Some(Matrix3::identity());
+    }
+    axes_of(table, &axis?, &aft?)
+}
+
+/// Axes of a rotor: aft, across, along the shaft.
+fn axes_of(table: &Table<'_>, axis: &Vector3<f64>, aft: &Vector3<f64>) -> Option<Matrix3<f64>> {
     if axis.amax() == 0.0 {
         table.note(&keys::AXIS, &InputProblem::NoAxis);
         return None;
     }
     let axis = (axis / axis.amax()).normalize();
-    let across = aft - axis * axis.dot(&aft);
+    let across = aft - axis * axis.dot(aft);
     if across.norm() <= ALONG * aft.norm() {
         table.note(&keys::AFT, &RotorProblem::AftAlongAxis);
         return None;
@@ -274,7 +318,15 @@ fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorP
 
 /// A damper on a part that the blades do not have.
 fn damper_problem(rotor: &Rotor) -> Option<RotorProblem> {
-    let on_lag = rotor.lag_damper.as_ref()?.on_root == Some(false);
+    let damper = rotor.lag_damper.as_ref()?;
+    if damper.is_between_blades && rotor.base.count == 1 {
+        return Some(RotorProblem::Idle {
+            name: rotor.base.name.clone(),
+            key: "between = blades",
+            needed: "a second blade",
+        });
+    }
+    let on_lag = damper.on_root == Some(false);
     (on_lag && arms::lagging(&rotor.base, 0).is_none()).then(|| RotorProblem::Idle {
         name: rotor.base.name.clone(),
         key: "on = lag",
@@ -321,6 +373,9 @@ impl Rotor {
     pub fn cards(&self, has_hub: bool) -> Result<Vec<Card>, (usize, RotorProblem)> {
         let base = &self.base;
         let mut cards = Vec::new();
+        if let Some((mount, holder)) = &self.mount {
+            cards.extend(mount.cards(base, holder.as_deref()));
+        }
         if !has_hub {
             cards.push(
                 Card::single(["hub"], base.line)
@@ -384,9 +439,17 @@ impl Rotor {
         let link = self.plate.as_ref().zip(pitched);
         cards.extend(link.map(|(plate, (node, offset))| plate.link(base, k, (&node, offset))));
         let dampers = self.lag_damper.iter().flat_map(|own| {
-            let lagging = arms::lagging(base, k).filter(|_| own.on_root != Some(true));
-            let part = lagging.unwrap_or_else(|| base.of_blade(k, "root"));
-            damper::of_ends(base, (k, [yoke, &part]), &own.ends, &own.law)
+            let part = |k: usize| {
+                let lagging = arms::lagging(base, k).filter(|_| own.on_root != Some(true));
+                lagging.unwrap_or_else(|| base.of_blade(k, "root"))
+            };
+            let (own_part, next) = (part(k), part((k + 1) % base.count));
+            match own.is_between_blades {
+                // Two blades have one damper between them.
+                true if base.count == 2 && k == 1 => Vec::new(),
+                true => damper::of_blades(base, (k, [&next, &own_part]), &own.ends, &own.law),
+                false => damper::of_ends(base, (k, [yoke, &own_part]), &own.ends, &own.law),
+            }
         });
         cards.extend(dampers);
         cards

@@ -70,6 +70,16 @@ impl Context {
         signal.map(|signal| signal.drive().is_none())
     }
 
+    /// The value of a key if it does not change, `Some(None)` if it does; `None` if it is wrong, which
+    /// has been noted.
+    pub fn constant(&self, item: &Item<'_>, key: &KeySchema) -> Option<Option<f64>> {
+        let signal = drives::signal_of(item, key.dimension(), &self.catalog);
+        if signal.is_none() {
+            self.refuse();
+        }
+        signal.map(|signal| signal.constant())
+    }
+
     /// Refuses the rotors for a problem that was noted; their cards are still read.
     pub fn refuse(&self) {
         self.wrong.set(true);

@@ -50,6 +50,7 @@ pub(super) fn of_hinge(
     let name = format!("{hinge} damper");
     let of = Component {
         quantity: "spring_rotation",
+        component: "x",
         unit: "rad",
         force: base.units.moment,
         rate: format!("x_rate*{}", base.units.angle / base.units.time),
@@ -67,10 +68,10 @@ pub(super) fn of_hinge(
     [card].into_iter().chain(states).collect()
 }
 
-/// The ends of a damper between hub and blade in the axes of a blade, from the center \[m\].
+/// The ends of a damper in the axes of blades, from the center \[m\].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ends {
-    /// On the hub.
+    /// On the hub, or on the next blade in the axes of that one.
     pub hub: Vector3<f64>,
     /// On the blade.
     pub blade: Vector3<f64>,
@@ -84,14 +85,7 @@ pub(super) fn of_ends(
     law: &DamperLaw,
 ) -> Vec<Card> {
     let (arm, name) = (base.arm(k), base.of_blade(k, "damper"));
-    let of = Component {
-        quantity: "spring_displacement",
-        unit: "m",
-        force: base.units.moment / base.units.length,
-        rate: format!("e_rate*{}", base.units.length / base.units.time),
-        wrap: |content| content,
-        expression: Content::from,
-    };
+    let of = Component::elongation(&base.units);
     let offsets = [lengths(&arm.point(&ends.hub)), lengths(&Vector3::zeros())];
     let cards = vec![
         base.node(&name, &arm, ends.blade),
@@ -109,10 +103,80 @@ pub(super) fn of_ends(
     cards.into_iter().chain(states).collect()
 }
 
+/// A damper along the line from a point of a part of the blade after blade `k` to one of a part of
+/// this blade.
+pub(super) fn of_blades(
+    base: &Base,
+    (k, [next, part]): (usize, [&str; 2]),
+    ends: &Ends,
+    law: &DamperLaw,
+) -> Vec<Card> {
+    let after = (k + 1) % base.count;
+    let [name, other] = ["damper", "damper next"].map(|end| base.of_blade(k, end));
+    let of = Component::elongation(&base.units);
+    let end = |name: &str, blade: usize, place: Vector3<f64>, part: &str| {
+        let rigid = base
+            .listed("rigid")
+            .with("name", format!("{name} end"))
+            .with("nodes", Content::texts([part, name]));
+        [base.node(name, &base.arm(blade), place), rigid]
+    };
+    let ends = [
+        end(&other, after, ends.hub, next),
+        end(&name, k, ends.blade, part),
+    ];
+    let rod = base
+        .listed("rod")
+        .with("name", name.as_str())
+        .with("nodes", Content::texts([other.as_str(), &name]))
+        .with("measure", "elongation")
+        .with("law", of.law(law, &name, &base.units));
+    let states = of.states(base, law, &name);
+    ends.into_iter()
+        .flatten()
+        .chain([rod])
+        .chain(states)
+        .collect()
+}
+
+/// A spring with a law along one axis of a frame between two nodes, at a place \[m\]; curves are not
+/// possible.
+pub(super) fn along(
+    base: &Base,
+    (name, nodes): (&str, [&str; 2]),
+    (local, at): (&Local, Vector3<f64>),
+    (axis, law): (usize, &DamperLaw),
+) -> Vec<Card> {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    const WRAPS: [fn(Content) -> Content; 3] = [
+        |content| Content::list([content, 0.0.into(), 0.0.into()]),
+        |content| Content::list([0.0.into(), content, 0.0.into()]),
+        |content| Content::list([0.0.into(), 0.0.into(), content]),
+    ];
+    let of = Component {
+        component: AXES[axis],
+        wrap: WRAPS[axis],
+        ..Component::elongation(&base.units)
+    };
+    let card = base
+        .listed("spring")
+        .with("name", name)
+        .with("nodes", Content::texts(nodes))
+        .with("in", local.name.as_str())
+        .with("at", lengths(&at))
+        .with("law", of.law(law, name, &base.units));
+    [card]
+        .into_iter()
+        .chain(of.states(base, law, name))
+        .collect()
+}
+
 /// The deformation of a damper: the angle about an axis, or the elongation.
 struct Component {
     /// Its quantity in sensors.
     quantity: &'static str,
+    /// Its component in sensors.
+    component: &'static str,
     /// Its SI unit.
     unit: &'static str,
     /// The declared unit of its moment or force \[N m, N\].
@@ -126,6 +190,19 @@ struct Component {
 }
 
 impl Component {
+    /// The elongation of a rod.
+    fn elongation(units: &Units) -> Self {
+        Self {
+            quantity: "spring_displacement",
+            component: "x",
+            unit: "m",
+            force: units.moment / units.length,
+            rate: format!("e_rate*{}", units.length / units.time),
+            wrap: |content| content,
+            expression: Content::from,
+        }
+    }
+
     fn law(&self, law: &DamperLaw, name: &str, units: &Units) -> Content {
         let number = |value: f64| (self.wrap)((value / self.force).into());
         match law {
@@ -168,7 +245,7 @@ impl Component {
             Card::single(["sensors", &sensor], base.line)
                 .with("quantity", self.quantity)
                 .with("of", name)
-                .with("component", "x")
+                .with("component", self.component)
                 .with("unit", self.unit),
             base.listed("state_space")
                 .with("name", name)

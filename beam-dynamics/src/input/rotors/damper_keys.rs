@@ -12,7 +12,7 @@ use shared_geom::units::Dimension;
 keys! {
     /// Damper of the hinge: a curve of moment over angular velocity, or an elastomer.
     pub(super) DAMPER: Nested = "damper", [OneTable(&DAMPER_TABLE)], optional, "";
-    /// Damper along a line between hub and blade.
+    /// Damper along a line between hub and blade, or between neighboring blades.
     pub(super) LAG_DAMPER: Nested = "lag_damper", [OneTable(&LAG_DAMPER_TABLE)], optional, "";
 }
 
@@ -64,9 +64,16 @@ keys! {
 /// A damper between hub and blade.
 const LAG_DAMPER_TABLE: TableSchema = TableSchema {
     title: "[rotor.lag_damper]",
-    meaning: "A damper along the line between a point of the hub and a point of each blade; a \
-              positive force resists its elongation.",
-    keys: &[HUB_END.schema, BLADE_END.schema, ON.schema],
+    meaning: "A damper along the line between a point of the hub and a point of each blade, or \
+              between points of each blade and the next one; a positive force resists its \
+              elongation.",
+    keys: &[
+        BETWEEN.schema,
+        HUB_END.schema,
+        NEXT_END.schema,
+        BLADE_END.schema,
+        ON.schema,
+    ],
     families: &[
         Family {
             name: "linear",
@@ -95,11 +102,19 @@ const LAG_DAMPER_TABLE: TableSchema = TableSchema {
 /// Parts of a blade that carry a damper.
 pub(super) const PARTS: [&str; 2] = ["lag", "root"];
 
+/// Words of what a damper connects with each blade.
+const ENDS: [&str; 2] = ["hub", "blades"];
+
 keys! {
+    /// What it connects with each blade: the hub, or the next blade in the direction of azimuth.
+    pub(super) BETWEEN: usize = "between", [Word(&ENDS)], or "\"hub\"" = 0, "\"blades\"";
     /// End on the hub, or on the yoke of a hub that tilts: along the undeformed blade from the center
-    /// of the hub, forward, and up.
-    pub(super) HUB_END: Vector3<f64> = "hub", [Vector(3, Dimension::LENGTH)], required,
+    /// of the hub, forward, and up; needed between hub and blade.
+    pub(super) HUB_END: Option<Vector3<f64>> = "hub", [Vector(3, Dimension::LENGTH)], optional,
         "[0.1, -0.15, 0]";
+    /// End on the next blade, in the axes of that blade; needed between blades.
+    pub(super) NEXT_END: Option<Vector3<f64>> = "next", [Vector(3, Dimension::LENGTH)], optional,
+        "[0.5, -0.1, 0]";
     /// End on the blade, in the same axes.
     pub(super) BLADE_END: Vector3<f64> = "blade", [Vector(3, Dimension::LENGTH)], required,
         "[0.5, -0.1, 0]";

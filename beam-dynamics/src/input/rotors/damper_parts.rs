@@ -1,12 +1,14 @@
 //! The tables of dampers.
 
+use nalgebra::Vector3;
 use shared_geom::document::{Key, Table};
 use std::f64::consts::TAU;
 
 use super::damper::Ends;
 use super::damper_keys::{
-    BLADE_END, DAMPER, DAMPING, FORCES, FREQUENCY, HUB_END, LAG_DAMPER, LINE_REST, LINE_STIFFNESS,
-    LOSS_FACTOR, MOMENTS, ON, RATES, STIFFNESS, TURNING_REST, TURNING_STIFFNESS, VELOCITIES,
+    BETWEEN, BLADE_END, DAMPER, DAMPING, FORCES, FREQUENCY, HUB_END, LAG_DAMPER, LINE_REST,
+    LINE_STIFFNESS, LOSS_FACTOR, MOMENTS, NEXT_END, ON, RATES, STIFFNESS, TURNING_REST,
+    TURNING_STIFFNESS, VELOCITIES,
 };
 use super::damper_law::DamperLaw;
 use super::problem::RotorProblem;
@@ -31,6 +33,8 @@ pub(super) fn of_hinge(table: &Table<'_>) -> Option<Option<DamperLaw>> {
 pub(super) struct LagDamper {
     /// Its ends.
     pub ends: Ends,
+    /// Whether the first end is on the next blade, not on the hub.
+    pub is_between_blades: bool,
     /// Whether the root carries its end; `None` if the file does not say.
     pub on_root: Option<bool>,
     /// Its law.
@@ -40,7 +44,9 @@ pub(super) struct LagDamper {
 /// Reads `[rotor.lag_damper]`; `Some(None)` without it.
 pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>> {
     table.nested(&LAG_DAMPER, |table| {
-        let (hub, blade, on) = (table.get(&HUB_END), table.get(&BLADE_END), table.get(&ON));
+        let is_between_blades = table.get(&BETWEEN) == Some(1);
+        let first = first_end(table, name, is_between_blades);
+        let (blade, on) = (table.get(&BLADE_END), table.get(&ON));
         let law = if is_elastomer(table) {
             elastomer(table, &LINE_STIFFNESS, &LINE_REST)
         } else if table.has(&VELOCITIES) || table.has(&FORCES) {
@@ -48,18 +54,39 @@ pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>
         } else {
             linear(table, name)
         };
-        let (hub, blade) = (hub?, blade?);
-        if (hub - blade).norm() <= SAME_POINT * hub.norm().max(blade.norm()) {
+        let (hub, blade) = (first?, blade?);
+        if !is_between_blades && (hub - blade).norm() <= SAME_POINT * hub.norm().max(blade.norm()) {
             let point = hub.into();
             table.note(&BLADE_END, &RotorProblem::DamperEnds { point });
             return None;
         }
         Some(LagDamper {
             ends: Ends { hub, blade },
+            is_between_blades,
             on_root: on?.map(|index| index == 1),
             law: law?,
         })
     })
+}
+
+/// The end that is not on the blade of the damper; notes the one that is missing, or one too many.
+fn first_end(table: &Table<'_>, name: &str, is_between_blades: bool) -> Option<Vector3<f64>> {
+    let (wanted, other) = match is_between_blades {
+        true => (&NEXT_END, &HUB_END),
+        false => (&HUB_END, &NEXT_END),
+    };
+    let name = name.to_owned();
+    let (found, has_other) = (table.get(wanted)?, table.has(other));
+    if has_other {
+        let (key, other) = (other.name(), "between");
+        table.note(key, &RotorProblem::Both { name, key, other });
+        return None;
+    }
+    if found.is_none() {
+        let (key, needed) = (LAG_DAMPER.name(), wanted.name());
+        table.note("", &RotorProblem::Idle { name, key, needed });
+    }
+    found
 }
 
 fn linear(table: &Table<'_>, name: &str) -> Option<DamperLaw> {

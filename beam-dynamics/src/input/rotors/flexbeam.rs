@@ -18,6 +18,8 @@ use shared_geom::document::{Card, Content};
 use super::arms;
 use super::base::{Base, Local, Lump, lengths};
 use super::controls::Sum;
+use super::damper;
+use super::damper_law::DamperLaw;
 use super::pitch::{self, Control};
 
 /// The flexbeam, the torque tube and the snubber of every blade.
@@ -86,9 +88,17 @@ pub(super) struct Snubber {
     pub offset: f64,
     /// The node of the flexbeam that holds it; `None` for the hub.
     pub holder: Option<String>,
-    /// Stiffness \[N/m\] and damping \[N s/m\] along the blade, forward and up; `None` for a pin
-    /// that slides along the blade.
-    pub law: Option<[Vector3<f64>; 2]>,
+    /// Its law; `None` for a pin that slides along the blade.
+    pub law: Option<SnubberLaw>,
+}
+
+/// The law of a snubber along the blade, forward and up.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum SnubberLaw {
+    /// Stiffness \[N/m\] and damping \[N s/m\].
+    Linear([Vector3<f64>; 2]),
+    /// Elastomers that relax; `None` without stiffness.
+    Relaxing([Option<DamperLaw>; 3]),
 }
 
 /// Name of the node of blade `k` that has the pitch: the inner end of the torque tube.
@@ -153,7 +163,8 @@ impl Bearingless {
         let hub = base.hub();
         let nodes = [hub.as_str(), &node];
         let snubber = self.snubber.as_ref();
-        cards.extend(snubber.map(|snubber| snubber.card(base, (k, nodes), &arm)));
+        let snubber = snubber.map(|snubber| snubber.cards(base, (k, nodes), &arm));
+        cards.extend(snubber.into_iter().flatten());
         cards.extend(match control {
             Control::Free => None,
             Control::Prescribed => Some(
@@ -170,19 +181,30 @@ impl Bearingless {
 }
 
 impl Snubber {
-    fn card(&self, base: &Base, (k, nodes): (usize, [&str; 2]), arm: &Local) -> Card {
+    fn cards(&self, base: &Base, (k, nodes): (usize, [&str; 2]), arm: &Local) -> Vec<Card> {
         let name = base.of_blade(k, "snubber");
         let of_beam = |end: &String| base.of_blade(k, &format!("flexbeam/{end}"));
         let holder = self.holder.as_ref().map(of_beam);
         let nodes = [holder.as_deref().unwrap_or(nodes[0]), nodes[1]];
-        let at = lengths(&(Vector3::x() * self.offset));
-        match &self.law {
+        let place = Vector3::x() * self.offset;
+        let at = lengths(&place);
+        let card = match &self.law {
+            Some(SnubberLaw::Relaxing(laws)) => {
+                let words = ["along", "forward", "up"];
+                let laws = laws.iter().enumerate();
+                let cards = laws.filter_map(|(axis, law)| {
+                    let name = format!("{name} {}", words[axis]);
+                    let spring = (axis, law.as_ref()?);
+                    Some(damper::along(base, (&name, nodes), (arm, place), spring))
+                });
+                return cards.flatten().collect();
+            }
             None => base
                 .joint(&name, "in-line", &nodes)
                 .with("in", arm.name.as_str())
                 .with("at", at)
                 .with("axis", Content::numbers([1.0, 0.0, 0.0])),
-            Some([stiffness, damping]) => base
+            Some(SnubberLaw::Linear([stiffness, damping])) => base
                 .listed("spring")
                 .with("name", name)
                 .with("nodes", Content::texts(nodes))
@@ -196,6 +218,7 @@ impl Snubber {
                     "damping",
                     Content::quantities(damping.iter().copied(), "N*s/m"),
                 ),
-        }
+        };
+        vec![card]
     }
 }

@@ -64,6 +64,16 @@ keys! {
     pub(super) SNUBBER_STIFFNESS: Option<Vector3<f64>> = "stiffness",
         [Vector(3, Dimension::SPRING_STIFFNESS)], or "rigid, or zero with `damping`",
         "[0, \"300 kN/m\", \"9 MN/m\"]";
+    /// Ratio of the loss to the stiffness of an elastomer at the frequency, in place of `damping`.
+    pub(super) SNUBBER_LOSS: Option<f64> = "loss_factor", [Positive(Dimension::NUMBER)], optional,
+        "0.4";
+    /// The frequency of the stiffness of an elastomer.
+    pub(super) SNUBBER_FREQUENCY: Option<f64> = "frequency", [Positive(Dimension::FREQUENCY)],
+        optional, "4.2";
+    /// Stiffnesses of an elastomer at rest, below those at the frequency or both zero: it then
+    /// relaxes; without them the loss grows with the frequency.
+    pub(super) SNUBBER_REST: Option<Vector3<f64>> = "static_stiffness",
+        [Vector(3, Dimension::SPRING_STIFFNESS)], optional, "[0, \"200 kN/m\", \"7 MN/m\"]";
     /// Dampers, zero or more.
     pub(super) SNUBBER_DAMPING: Option<Vector3<f64>> = "damping", [Vector(3, Dimension::DAMPER)], or "zero",
         "[0, 900, 0]";

@@ -1,12 +1,16 @@
 //! The tables of bearingless blades: flexbeam, torque tube and snubber.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Vector3;
 use shared_geom::document::{Key, Table};
 
-use super::flexbeam::{Bearingless, Line, Snubber, Tube};
+use super::damper_law::DamperLaw;
+use super::flexbeam::{Bearingless, Line, Snubber, SnubberLaw, Tube};
 use super::flexbeam_keys::{
-    FLEXBEAM, SNUBBER, SNUBBER_DAMPING, SNUBBER_OFFSET, SNUBBER_STIFFNESS, SNUBBER_TO, TORQUE_TUBE,
-    TUBE_CENTER, TUBE_LINE, TUBE_MASS, TUBE_OFFSET,
+    FLEXBEAM, SNUBBER, SNUBBER_DAMPING, SNUBBER_FREQUENCY, SNUBBER_LOSS, SNUBBER_OFFSET,
+    SNUBBER_REST, SNUBBER_STIFFNESS, SNUBBER_TO, TORQUE_TUBE, TUBE_CENTER, TUBE_LINE, TUBE_MASS,
+    TUBE_OFFSET,
 };
 use super::parts::passed_on;
 use super::problem::RotorProblem;
@@ -22,7 +26,9 @@ pub(super) fn read(table: &Table<'_>, name: &str, root: f64) -> Option<Option<Be
     let tube = tube(table, name, [inner, root]);
     let inner = tube.as_ref().map_or(inner, Tube::offset);
     let line = beam.as_ref().and_then(Option::as_ref);
-    let snubber = table.nested(&SNUBBER, |table| snubber(table, line, [inner, root]));
+    let snubber = table.nested(&SNUBBER, |table| {
+        snubber(table, (name, line), [inner, root])
+    });
     let (beam, tube, snubber) = (beam?, tube?, snubber?);
     Some(beam.map(|beam| Bearingless {
         beam,
@@ -123,7 +129,11 @@ fn tube(table: &Table<'_>, name: &str, [inner, root]: [f64; 2]) -> Option<Tube> 
     ))
 }
 
-fn snubber(table: &Table<'_>, line: Option<&Line>, [inner, root]: [f64; 2]) -> Option<Snubber> {
+fn snubber(
+    table: &Table<'_>,
+    (name, line): (&str, Option<&Line>),
+    [inner, root]: [f64; 2],
+) -> Option<Snubber> {
     let (offset, to) = (table.get(&SNUBBER_OFFSET), table.get(&SNUBBER_TO));
     let all = |key: &Key<Option<Vector3<f64>>>| {
         let found = table.get(key)?;
@@ -134,14 +144,20 @@ fn snubber(table: &Table<'_>, line: Option<&Line>, [inner, root]: [f64; 2]) -> O
         is_sound.then_some(found)
     };
     let (stiffness, damping) = (all(&SNUBBER_STIFFNESS), all(&SNUBBER_DAMPING));
-    let (stiffness, damping) = (stiffness?, damping?);
+    let elastomer = elastomer(table, name, &all);
+    let (stiffness, damping, elastomer) = (stiffness?, damping?, elastomer?);
     let offset = offset?.unwrap_or(inner);
     if let Some(problem) = beyond("the snubber", offset, [0.0, root]) {
         table.note(&SNUBBER_OFFSET, &problem);
         return None;
     }
-    let law = (stiffness.is_some() || damping.is_some())
-        .then(|| [stiffness, damping].map(Option::unwrap_or_default));
+    let law = match elastomer {
+        Some(law) => Some(law),
+        None => (stiffness.is_some() || damping.is_some()).then(|| {
+            let [stiffness, damping] = [stiffness, damping].map(Option::unwrap_or_default);
+            SnubberLaw::Linear([stiffness, damping])
+        }),
+    };
     let holder = match (to? == 1, line) {
         (true, Some(line)) => Some(holder(table, line, offset)?),
         _ => None,
@@ -151,6 +167,53 @@ fn snubber(table: &Table<'_>, line: Option<&Line>, [inner, root]: [f64; 2]) -> O
         holder,
         law,
     })
+}
+
+/// Three numbers under a key, if it is given; `None` if they are wrong.
+type Three<'a> = &'a dyn Fn(&Key<Option<Vector3<f64>>>) -> Option<Option<Vector3<f64>>>;
+
+/// The elastomer of a snubber; `Some(None)` without its keys.
+fn elastomer(table: &Table<'_>, name: &str, all: Three<'_>) -> Option<Option<SnubberLaw>> {
+    let (loss, frequency) = (table.get(&SNUBBER_LOSS), table.get(&SNUBBER_FREQUENCY));
+    let rest = all(&SNUBBER_REST);
+    let (loss, frequency, rest) = (loss?, frequency?, rest?);
+    if loss.is_none() && frequency.is_none() && rest.is_none() {
+        return Some(None);
+    }
+    let stiffness = all(&SNUBBER_STIFFNESS)?;
+    let keys = [
+        (SNUBBER_STIFFNESS.name(), stiffness.is_some()),
+        (SNUBBER_LOSS.name(), loss.is_some()),
+        (SNUBBER_FREQUENCY.name(), frequency.is_some()),
+    ];
+    if let Some((needed, _)) = keys.iter().find(|(_, is_given)| !is_given) {
+        let given = keys.iter().rev().find(|(_, is_given)| *is_given);
+        let key = given.map_or(SNUBBER_REST.name(), |(key, _)| *key);
+        let name = name.to_owned();
+        table.note(key, &RotorProblem::Idle { name, key, needed });
+        return None;
+    }
+    if table.has(&SNUBBER_DAMPING) {
+        let (key, other) = (SNUBBER_DAMPING.name(), SNUBBER_LOSS.name());
+        let name = name.to_owned();
+        table.note(key, &RotorProblem::Both { name, key, other });
+        return None;
+    }
+    let (stiffness, loss, frequency) = (stiffness?, loss?, frequency? * TAU);
+    let Some(rest) = rest else {
+        let damping = stiffness * (loss / frequency);
+        return Some(Some(SnubberLaw::Linear([stiffness, damping])));
+    };
+    let is_below = |i: &usize| rest[*i] < stiffness[*i] || rest[*i] == 0.0 && stiffness[*i] == 0.0;
+    if !(0..3).all(|i| is_below(&i)) {
+        table.wrong(&SNUBBER_REST, "numbers less than \"stiffness\"");
+        return None;
+    }
+    let laws = [0, 1, 2].map(|i| {
+        let law = || DamperLaw::elastomer([stiffness[i], loss], frequency, Some(rest[i]));
+        (stiffness[i] > 0.0).then(law)
+    });
+    Some(Some(SnubberLaw::Relaxing(laws)))
 }
 
 /// The node of a flexbeam that holds a snubber; notes it if there is none.

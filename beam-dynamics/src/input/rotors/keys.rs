@@ -13,6 +13,7 @@ use shared_geom::units::Dimension;
 use super::damper_keys::{DAMPER, LAG_DAMPER};
 use super::flexbeam_keys::{FLEXBEAM, SNUBBER, TORQUE_TUBE};
 use super::hubs;
+use super::mounts::keys::{FOOT, NACELLE, PYLON, TOWER};
 use super::train_keys::TRAIN;
 use crate::input::moments::INERTIA;
 use crate::input::{aerodynamics, blades};
@@ -26,12 +27,13 @@ keys! {
     pub(super) NAME: String = "name", [Text], required, "\"main\"";
     /// Kind of the hub.
     pub(super) HUB: usize = "hub", [Word(&hubs::WORDS)], required, "\"articulated\"";
-    /// Node that carries the shaft.
+    /// Node that carries the shaft, or the tower, nacelle, wing or pylon.
     pub(super) NODE: Option<String> = "node", [Text], or "the frame of the model", "\"pylon\"";
-    /// Center of the hub, on the shaft.
+    /// Center of the hub, on the shaft; with a nacelle or a pylon it follows from these.
     pub(super) CENTER: Vector3<f64> = "center", [Vector(3, Dimension::LENGTH)],
         or "[0, 0, 0]" = Vector3::zeros(), "[0, 0, 2]";
-    /// Axis of the shaft in the sense of rotation, of any length.
+    /// Axis of the shaft in the sense of rotation, of any length; with a nacelle or a pylon it
+    /// chooses the sense only.
     pub(super) AXIS: Vector3<f64> = "axis", [Vector(3, Dimension::NUMBER)],
         or "[0, 0, 1]" = Vector3::z(), "[0.1, 0, 1]";
     /// Direction of azimuth zero; its part across the axis counts.
@@ -68,7 +70,7 @@ keys! {
     /// The velocity that the rotor induces: an `[[inflow]]` of its name about its shaft.
     pub(super) INFLOW: ByHand = "inflow", [OneTable(&aerodynamics::OF_ROTOR)], optional, "";
     with INERTIA.schema, FLEXBEAM.schema, TORQUE_TUBE.schema, SNUBBER.schema,
-        LAG_DAMPER.schema, TRAIN.schema;
+        LAG_DAMPER.schema, TRAIN.schema, FOOT.schema, TOWER.schema, NACELLE.schema, PYLON.schema;
 }
 
 /// Springs, dampers and stops of the tilt.

@@ -241,6 +241,12 @@ pub enum RotorProblem {
         /// Name of the rotor.
         name: String,
     },
+    /// A tower or a wing without elasticity, or with two.
+    #[error("the {part} needs \"properties\" or \"file\", and not both")]
+    OneElasticity {
+        /// The part, as text.
+        part: &'static str,
+    },
     /// Rotors in polar copies.
     #[error("[[repeat]] has a rotor, expected [[rotor]] outside of it")]
     Repeated,

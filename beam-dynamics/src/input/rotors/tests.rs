@@ -15,6 +15,7 @@ mod dampers;
 mod expansion;
 mod frequencies;
 mod motion;
+mod mounts;
 mod problems;
 mod restraints;
 mod train;

@@ -1,13 +1,19 @@
 //! Bearingless hubs: frequencies, pitch by torsion, forces and damping against closed forms.
 
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, Matrix2, Matrix3, Vector2, Vector3};
 use shared_geom::rotation::vector;
+use shared_geom::section::{
+    self, Centers, CubicTable, Engineering, Prestress, Provenance, SectionProperties, StrainMeasure,
+};
 
 use super::{Run, STRIP, read, refused};
 use crate::analysis::modes::modes;
 use crate::analysis::statics::statics;
 use crate::analysis::trim::trim;
 use crate::input::parse_with;
+use crate::input::rotors::damper_law::DamperLaw;
 use crate::input::rotors::distributor::Links;
 use crate::result::StaticStep;
 
@@ -392,4 +398,135 @@ fn a_wrong_flexbeam_is_one_error() {
         "{shown}"
     );
     assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+}
+
+/// Lag of blades on flexbeams with a snubber forward at 0.3 m, by its keys.
+fn snubbed(keys: &str) -> String {
+    let snubber =
+        format!("speed = 0\n[rotor.torque_tube]\noffset = 0.3\n[rotor.snubber]\n{keys}\n");
+    rotor(1, &snubber, "[modes]\nspeeds = [0]\ncount = 3\n")
+}
+
+// A snubber that relaxes has the complex stiffness `k + k_1 s tau / (1 + s tau)` in a motion exp(s t):
+// springs and dampers with `K + c s` of the same complex number have the same root s. Without a static
+// stiffness the damper is eta K / w.
+#[test]
+fn snubbers_relax() {
+    let elastomer = "stiffness = [0, 4e4, 9e4]\nloss_factor = 0.4\nfrequency = 5";
+    let relaxing = format!("{elastomer}\nstatic_stiffness = [0, 3e4, 8e4]");
+    for [_, growth] in found_modes(&snubbed(&relaxing)) {
+        assert!(growth < 0.0);
+    }
+    let laws = [(4e4, 3e4), (9e4, 8e4)]
+        .map(|(stiffness, rest)| DamperLaw::elastomer([stiffness, 0.4], 5.0 * TAU, Some(rest)));
+    let found = found_modes(&snubbed(&relaxing));
+    for [frequency, growth] in &found {
+        let s = Complex::new(*growth, TAU * frequency);
+        let both = laws.clone().map(|law| match law {
+            DamperLaw::Relaxing { rest, series, time } => {
+                let complex = s * time * series / (s * time + 1.0) + rest;
+                let damping = complex.im / s.im;
+                [complex.re - damping * s.re, damping]
+            }
+            _ => panic!("it relaxes"),
+        });
+        let [[k_y, c_y], [k_z, c_z]] = both;
+        let plain = format!("stiffness = [0, {k_y:?}, {k_z:?}]\ndamping = [0, {c_y:?}, {c_z:?}]");
+        let nearest = found_modes(&snubbed(&plain))
+            .into_iter()
+            .map(|[f, g]| (Complex::new(g, TAU * f) - s).norm());
+        let off = nearest.fold(f64::INFINITY, f64::min);
+        assert!(off < 1e-6 * s.norm(), "{s} {off}");
+    }
+    let damping = [4e4, 9e4].map(|stiffness| stiffness * 0.4 / (5.0 * TAU));
+    let plain = format!(
+        "stiffness = [0, 4e4, 9e4]\ndamping = [0, {:?}, {:?}]",
+        damping[0], damping[1]
+    );
+    let [one, other] = [elastomer, &plain].map(|keys| found_modes(&snubbed(keys)));
+    for (one, other) in one.iter().flatten().zip(other.iter().flatten()) {
+        assert!(
+            (one - other).abs() < 1e-6 * one.abs().max(1.0),
+            "{one} {other}"
+        );
+    }
+}
+
+#[test]
+fn wrong_elastomers_of_snubbers_are_explained() {
+    for (keys, expected) in [
+        (
+            "stiffness = [0, 1e4, 1e4]\nloss_factor = 0.4",
+            "rotor \"r\" has \"loss_factor\" without \"frequency\", expected both",
+        ),
+        (
+            "stiffness = [0, 1e4, 1e4]\nloss_factor = 0.4\nfrequency = 4\ndamping = [1, 1, 1]",
+            "rotor \"r\" has \"damping\" and \"loss_factor\", expected one of them",
+        ),
+        (
+            "stiffness = [0, 1e4, 1e4]\nloss_factor = 0.4\nfrequency = 4\nstatic_stiffness = [0, 2e4, 0]",
+            "expected numbers less than \"stiffness\"",
+        ),
+    ] {
+        let shown = refused(&snubbed(keys));
+        assert!(shown.contains(expected), "{shown}");
+        assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    }
+}
+
+// A flexbeam with a table of the third derivatives of its energy, of which T144 is not zero: under the
+// tension N and the torque M at the root of the blade its constant strain e and twist k fulfill
+//
+//   N = EA e + T144 k^2 / 2        M = GJ k + T144 e k
+#[test]
+fn tension_stiffens_the_twist_of_a_flexbeam() {
+    const EA: f64 = 7e7;
+    const GJ: f64 = 20.0;
+    const T144: f64 = 7e4;
+    const PULL: f64 = 2e4;
+    const TORQUE: f64 = 2.0;
+    let written = Engineering {
+        stiffness: [EA, 2e9, 2e9, GJ, 200.0, 2000.0],
+        mass: [1e-6, 1e-12, 1e-12],
+        centers: Centers {
+            tension: Vector2::zeros(),
+            shear: Vector2::zeros(),
+            mass: Vector2::zeros(),
+        },
+        stiffness_angle: 0.0,
+        inertia_angle: 0.0,
+    };
+    let third = CubicTable::from_fn(|at| if at == [0, 1, 1] { T144 } else { 0.0 });
+    let section = SectionProperties {
+        prestress: Some(Prestress {
+            strain_measure: StrainMeasure::Biot,
+            third,
+            per_kelvin: None,
+        }),
+        ..written.section("flex", Provenance::default())
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("flex.properties.json");
+    std::fs::write(&file, section::write(&section)).unwrap();
+    let loads = format!(
+        "[[load]]\nnode = \"r 1/root\"\nforce = [{PULL:?}, 0, 0]\nmoment = [{TORQUE:?}, 0, 0]\n[static]\n"
+    );
+    let soft =
+        "speed = 0\n[rotor.swashplate]\ncollective = 0\n[rotor.pitch_link]\nstiffness = 1e-6\n";
+    let filed = format!("[properties.filed]\nfile = {:?}\nprestress = true\n", file);
+    let text = rotor(1, soft, &loads).replace("properties = \"flex\"", "properties = \"filed\"");
+    let text = text.replace("[[rotor]]", &format!("{filed}[[rotor]]"));
+    let (_, _, turn) = equilibrium(&text, "r 1/root");
+    let found = vector::from_rotation(&turn).x;
+    let mut twist = 0.0;
+    for _ in 0..100 {
+        let strain = (PULL - 0.5 * T144 * twist * twist) / EA;
+        twist = TORQUE / (GJ + T144 * strain);
+    }
+    assert!(twist * GJ < 0.6 * TORQUE);
+    assert!(
+        (found / (twist * LENGTH) - 1.0).abs() < 1e-6,
+        "{found} {}",
+        twist * LENGTH
+    );
 }

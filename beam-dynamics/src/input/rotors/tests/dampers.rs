@@ -207,3 +207,51 @@ fn wrong_dampers_are_explained() {
         assert!(shown.contains(expected), "{shown}");
     }
 }
+
+// Dampers c between neighboring blades on lag hinges at the distance e from the center: in the
+// multiblade pattern h the ends of a damper, at the distance r along the blades and a behind and ahead of
+// the blade axis, move along its line by `l (q_k - q_(k+1))` with the lever l of the line about the
+// hinges, so that `I s^2 + k s^0 + 2 c l^2 (1 - cos(2 pi h / N)) s = 0`: the collective is not damped.
+#[test]
+fn dampers_between_blades_do_not_damp_the_collective_lag() {
+    const HINGE: f64 = 0.05;
+    const PLACE: f64 = 0.15;
+    const DAMPING: f64 = 30.0;
+    const STIFFNESS: f64 = 200.0;
+    let keys = format!(
+        "speed = 0\n[[rotor.hinge]]\nkind = \"lag\"\noffset = {HINGE}\nstiffness = {STIFFNESS}\n\
+         [rotor.lag_damper]\nbetween = \"blades\"\nblade = [{PLACE}, 0, 0]\nnext = [{PLACE}, 0, 0]\n\
+         damping = {DAMPING}\n"
+    );
+    let input = read(&text(
+        "hingeless",
+        &keys,
+        "[modes]\nspeeds = [0]\ncount = 3\n",
+    ));
+    let outcome = modes(&input.model, &input.modes.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    // The angle of the line against each blade is 30 degrees.
+    let lever = (PLACE - HINGE) * (PI / 6.0).sin();
+    // About the hinge: 2 kg/m from 0.15 m to 1.15 m behind it.
+    let inertia = 2.0 / 3.0 * (1.15_f64.powi(3) - 0.15_f64.powi(3));
+    let mut growths: Vec<_> = outcome
+        .table
+        .at_speed(0)
+        .iter()
+        .map(|(_, point)| point.growth)
+        .collect();
+    growths.sort_by(f64::total_cmp);
+    let damped = -0.5 * 2.0 * DAMPING * lever * lever * 1.5 / inertia;
+    for (found, expected) in growths.iter().zip([damped, damped, 0.0]) {
+        assert!(
+            (found - expected).abs() < 1e-3 * damped.abs(),
+            "{growths:?} {damped}"
+        );
+    }
+    let one = keys.replace("next = [0.15, 0, 0]\n", "");
+    let shown = refused(&text("hingeless", &one, ""));
+    assert!(
+        shown.contains("rotor \"r\" has \"lag_damper\" without \"next\", expected both"),
+        "{shown}"
+    );
+}

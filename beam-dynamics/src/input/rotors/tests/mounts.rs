@@ -1,0 +1,172 @@
+//! Towers, nacelles, wings and pylons: places and frequencies against closed forms.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{Run, STRIP, read, refused};
+use crate::analysis::modes::modes;
+
+/// Bending stiffness and length of towers and wings.
+const EI: f64 = 4e6;
+const HEIGHT: f64 = 20.0;
+
+/// A rotor of three light blades with the keys and tables of its mount, and further cards.
+fn rotor(keys: &str, mount: &str, cards: &str) -> String {
+    let column = format!(
+        "[properties.column]\nea = 1e11\ngay = 1e11\ngaz = 1e11\ngj = 1e11\neiy = {EI:e}\neiz = {EI:e}\n\
+         m = 1e-4\niy = 1e-6\niz = 1e-6\n"
+    );
+    let light = STRIP.replace("m = 2\n", "m = 1e-3\n");
+    format!(
+        "units = \"SI\"\n{light}{column}[[rotor]]\nname = \"r\"\nhub = \"rigid\"\nblades = 3\nspeed = 12\n\
+         {keys}\n[rotor.blade]\nhub_radius = 0.2\nproperties = \"strip\"\n\
+         piece = [{{ length = 1, elements = 1 }}]\n{mount}{cards}"
+    )
+}
+
+/// Position and axes of nodes in the undeformed model.
+fn places<const N: usize>(text: &str, names: [&str; N]) -> [(Vector3<f64>, Matrix3<f64>); N] {
+    let input = read(text);
+    names.map(|name| {
+        let mut nodes = input.model.system.nodes().iter();
+        let node = nodes.find(|node| node.label == name).unwrap();
+        (node.position, node.rotation)
+    })
+}
+
+fn assert_near(found: Vector3<f64>, expected: [f64; 3]) {
+    assert!(
+        (found - Vector3::from(expected)).norm() < 1e-9,
+        "{found} {expected:?}"
+    );
+}
+
+// A shaft raised by 5 degrees at the rotor, 4 m upwind of the tower, with a yaw of 90 degrees: downwind is
+// along y then. The first blade points up, across the shaft.
+#[test]
+fn the_hub_of_a_turbine_is_where_tower_and_nacelle_put_it() {
+    const MOUNT: &str = "[rotor.tower]\nheight = 20\nproperties = \"column\"\n[rotor.nacelle]\n\
+        yaw = 90\ntilt = 5\noverhang = 4\nabove = 1.5\nmass = 900\nmass_center = [0.5, 0, 1]\n";
+    let text = rotor("base = [1, 2, -3]", MOUNT, "[modes]\nspeeds = 0\n");
+    let names = [
+        "r/hub",
+        "r/tower/root",
+        "r/tower/tip",
+        "r/nacelle",
+        "r 1/tip",
+    ];
+    let [hub, root, tip, nacelle, blade] = places(&text, names);
+    let (sin, cos) = 5.0_f64.to_radians().sin_cos();
+    assert_near(root.0, [1.0, 2.0, -3.0]);
+    assert_near(tip.0, [1.0, 2.0, 17.0]);
+    assert_near(nacelle.0, [1.0, 2.0, 17.0]);
+    assert_near(hub.0, [1.0, 2.0 - 4.0 * cos, 18.5 + 4.0 * sin]);
+    assert_near(blade.0 - hub.0, [0.0, 1.2 * sin, 1.2 * cos]);
+    // The body of the nacelle turns with the yaw.
+    assert_near(nacelle.1 * Vector3::x(), [0.0, 1.0, 0.0]);
+    // The sense of rotation is with the shaft, or against it.
+    let turned = text.replace("speed = 12\n", "speed = 12\naxis = [0, -1, 0]\n");
+    let [first, second] = [&text, &turned].map(|text| {
+        let [hub, two] = places(text, ["r/hub", "r 2/tip"]);
+        two.0 - hub.0
+    });
+    assert!(first.x * second.x < 0.0, "{first} {second}");
+}
+
+// A light tower under the mass M of the nacelle, w^2 = 3 EI / (M L^3) in both directions, to the inertia of
+// the light blades.
+#[test]
+fn a_tower_bends_under_its_nacelle() {
+    const MASS: f64 = 5e3;
+    let mount = format!(
+        "[rotor.tower]\nheight = {HEIGHT}\nproperties = \"column\"\nelements = 3\n\
+         [rotor.nacelle]\nmass = {MASS:?}\n"
+    );
+    let input = read(&rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n"));
+    let outcome = modes(&input.model, &input.modes.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let expected = (3.0 * EI / (MASS * HEIGHT.powi(3))).sqrt() / TAU;
+    for (_, point) in outcome.table.at_speed(0) {
+        assert!(
+            (point.frequency / expected - 1.0).abs() < 1e-4,
+            "{} {expected}",
+            point.frequency
+        );
+    }
+}
+
+// A pylon at 30 degrees, forward along -x, on a wing along y and up.
+#[test]
+fn the_hub_of_a_tiltrotor_is_where_wing_and_pylon_put_it() {
+    const MOUNT: &str = "[rotor.pylon]\nlength = 1.4\nangle = 30\nmass = 9\nmass_center = 0.7\n\
+        wing = { span = [0, 4, 3], properties = \"column\" }\n";
+    let text = rotor("base = [0, 1, 0]", MOUNT, "[modes]\nspeeds = 0\n");
+    let names = ["r/hub", "r/wing/tip", "r/pylon", "r 1/tip"];
+    let [hub, tip, pylon, blade] = places(&text, names);
+    assert_near(tip.0, [0.0, 5.0, 3.0]);
+    assert_near(pylon.0, [0.0, 5.0, 3.0]);
+    let root = 0.75_f64.sqrt();
+    assert_near(hub.0, [-0.7, 5.0, 3.0 + 1.4 * root]);
+    assert_near(blade.0 - hub.0, [1.2 * root, 0.0, 1.2 * 0.5]);
+    // Sections of the wing: y is forward.
+    let [wing] = places(&text, ["r/wing/1"]);
+    assert_near(wing.1 * Vector3::y(), [-1.0, 0.0, 0.0]);
+}
+
+// The conversion follows its drive; the wing is stiff: the hub is on a circle about its tip.
+#[test]
+fn a_pylon_is_converted_by_a_drive() {
+    const MOUNT: &str = "[rotor.pylon]\nlength = 1.4\nangle = \"= 40*t^2\"\nmass = 9\n\
+        inertia = [1, 1, 1]\n";
+    let cards = "[transient]\nto = 1\nstep = 0.02\n";
+    let run = Run::new(&rotor("", MOUNT, cards));
+    for (time, [hub]) in run.motions(["r/hub"]) {
+        let (sin, cos) = (40.0 * time * time).to_radians().sin_cos();
+        let off = hub.position - Vector3::new(-1.4 * sin, 0.0, 1.4 * cos);
+        assert!(off.norm() < 1e-6, "{time} {off}");
+    }
+}
+
+#[test]
+fn wrong_mounts_are_explained() {
+    let tower = "[rotor.tower]\nheight = 20\n";
+    let pylon = "[rotor.pylon]\nlength = 1\n";
+    let good = format!("{tower}properties = \"column\"\n");
+    for (keys, mount, expected) in [
+        (
+            "",
+            tower.to_owned(),
+            "the tower needs \"properties\" or \"file\", and not both",
+        ),
+        (
+            "",
+            format!("{good}{pylon}"),
+            "rotor \"r\" has \"pylon\" and \"tower\", expected one of them",
+        ),
+        (
+            "center = [0, 0, 1]",
+            pylon.to_owned(),
+            "rotor \"r\" has \"center\" and \"pylon\", expected one of them",
+        ),
+        (
+            "base = [0, 0, 1]",
+            String::new(),
+            "rotor \"r\" has \"base\" without \"tower\", \"nacelle\" or \"pylon\"",
+        ),
+        (
+            "",
+            "[rotor.nacelle]\ninertia = [1, 1, 1]\n".to_owned(),
+            "rotor \"r\" has \"inertia\" without \"mass\", expected both",
+        ),
+        (
+            "",
+            format!("{pylon}wing = {{ span = [2, 0, 0], properties = \"column\" }}\n"),
+            "expected a wing that is not along x",
+        ),
+    ] {
+        let shown = refused(&rotor(keys, &mount, "[modes]\nspeeds = 0\n"));
+        assert!(shown.contains(expected), "{expected}: {shown}");
+        assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    }
+}
