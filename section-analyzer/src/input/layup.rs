@@ -91,6 +91,8 @@ pub struct WrittenLayer {
     pub to: Place,
     /// The drop of its thickness at its ends.
     pub taper: Option<Taper>,
+    /// Parts of its thickness over parts of its width; the whole one without them [-].
+    pub profile: Vec<[f64; 2]>,
     /// The web along which it continues, and the line of the file.
     pub web: Option<(String, usize)>,
     /// Its line in the file.

@@ -41,6 +41,9 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
             Some(Taper::Slope(ratio)) => writeln!(text, "taper = \"1:{ratio:?}\"")?,
             None => {}
         }
+        if !layer.profile.is_empty() {
+            writeln!(text, "profile = {:?}", layer.profile)?;
+        }
         if let Some((web, _)) = &layer.web {
             writeln!(text, "web = {web:?}")?;
         }

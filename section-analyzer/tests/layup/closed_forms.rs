@@ -14,6 +14,7 @@ fn layer(name: &str, thickness: f64) -> Layer {
         from: 0.0,
         to: 1.0,
         taper: None,
+        profile: Vec::new(),
     }
 }
 

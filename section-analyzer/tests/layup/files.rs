@@ -107,8 +107,9 @@ fn damaged_files_are_read_or_refused() {
         }
     };
     let mut random = Random::new(11);
-    for name in NAMES {
-        let text = std::fs::read_to_string(path(name)).expect("a file");
+    let files = NAMES.map(|name| std::fs::read_to_string(path(name)).expect("a file"));
+    let others = [crate::fills::TEXT, crate::spars::TEXT].map(str::to_owned);
+    for text in files.into_iter().chain(others) {
         for end in (0..text.len()).step_by(7) {
             look(&text[..end]);
         }

@@ -10,7 +10,7 @@ use section_analyzer::output::layup_file;
 use crate::files::section;
 
 /// Three spaces of an airfoil.
-const TEXT: &str = "\
+pub const TEXT: &str = "\
 units = \"SI\"
 [shape]
 naca = \"0018\"

@@ -225,6 +225,17 @@ const WRONG: &[(&str, &str, &str)] = &[
         "material \"glass\" has no ply thickness",
     ),
     ("+ 40 mm", "+ 40 kg", "a place, as \"cap.end + 40 mm\""),
+    (
+        "taper = \"1:20\"",
+        "profile = [[0, 0], [0.5, 1.5], [1, 0]]",
+        "expected rows of a part of the width, ascending from 0 to 1, and a part of the thickness, 0 to 1, \
+         not all 0",
+    ),
+    (
+        "taper = \"1:20\"",
+        "profile = [[0, 1], [0.5, 1]]",
+        "expected rows of a part of the width",
+    ),
     ("\"1:20\"", "\"1:0\"", "a positive length, or \"1:20\""),
     ("\"1:20\"", "\"steep\"", "a positive length, or \"1:20\""),
     (
@@ -343,4 +354,30 @@ fn what_has_no_effect_is_a_remark() {
         .replace("value = [0.001, 0.001], hold", "value = [0, 0], hold")
         .replace("count = 20, round", "count = 0, round");
     assert_eq!(absent(&text), ["22 patch", "37 ply"]);
+}
+
+/// The area of a layer with a profile is the integral of the profile: a half of the full one for a
+/// triangle, three quarters with a drop over a half of the width; to 1e-3 on the curved surface.
+#[test]
+fn profiles_have_their_areas() {
+    let area = |profile: &str| {
+        let text = TEXT.replace("taper = \"1:20\"", profile);
+        let layup = parse(&text).unwrap_or_else(|problems| panic!("{problems}"));
+        let meshed = layup
+            .mesh(0.26)
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let cap = meshed.areas.iter().find(|area| area.name == "cap");
+        let cap = cap.expect("a cap");
+        assert!((cap.meshed / cap.nominal - 1.0).abs() < 1e-3, "{cap:?}");
+        cap.meshed
+    };
+    let whole = area("");
+    for (profile, part) in [
+        ("profile = [[0, 0], [0.5, 1], [1, 0]]", 0.5),
+        ("profile = [[0, 1], [0.5, 1], [1, 0]]", 0.75),
+        ("profile = [[0, 0.5], [1, 1]]", 0.75),
+    ] {
+        let found = area(profile) / whole;
+        assert!((found / part - 1.0).abs() < 5e-3, "{profile}: {found}");
+    }
 }

@@ -10,7 +10,7 @@ const REFUSED: [(&str, &str, &str, &str); 23] = [
         "box.xml",
         "</cross_section>",
         "<component name=\"core\" type=\"fill\"><material>mat_1</material></component></cross_section>",
-        "no fills, only layers and webs",
+        "add a [[fill]] to the written layup file",
     ),
     (
         "box.xml",

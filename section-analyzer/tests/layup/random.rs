@@ -41,6 +41,7 @@ fn layer(name: &str, thickness: f64, arcs: [f64; 2]) -> Layer {
         from,
         to,
         taper: None,
+        profile: Vec::new(),
     }
 }
 

@@ -71,6 +71,7 @@ fn case(value: &Value) -> Case {
             from: number(&row[3]),
             to: number(&row[4]),
             taper: None,
+            profile: Vec::new(),
         }
     };
     let layers = list(&value["layers"]).iter().map(layer).collect();

@@ -17,7 +17,7 @@ use super::TOWARDS;
 use super::course::{COURSE, Course};
 use super::fills::FillBound;
 use super::place::{BOTH, BothSides, PLACE, Place};
-use super::taper::Taper;
+use super::taper::{Profile, Taper};
 
 keys! {
     /// The layup of a blade, or of one section: its shape, layers, webs and materials.
@@ -147,6 +147,7 @@ const LAYER: TableSchema = TableSchema {
         FROM.schema,
         TO.schema,
         TAPER.schema,
+        PROFILE.schema,
         WEB_OF_LAYER.schema,
     ],
     families: &[
@@ -203,6 +204,10 @@ keys! {
     /// Where it ends.
     pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
+    /// Rows of a part of its width, ascending from 0 to 1, and a part of its thickness, with straight
+    /// lines between them.
+    pub(super) PROFILE: Option<Profile> = "profile", [FreeMatrix], optional,
+        "[[0, 0], [0.2, 1], [1, 1]]";
     /// The web without plies of its own along which it continues, with mitres at both ends: a spar
     /// around the nose. `from` and `to` are then the places of the web, if not given.
     pub(super) WEB_OF_LAYER: Option<String> = "web", [Text], optional, "\"rear\"";

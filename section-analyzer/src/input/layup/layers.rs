@@ -7,8 +7,8 @@ use super::course::Course;
 use super::fills::WrittenFill;
 use super::keys::{
     AFT_OF, AHEAD_OF, ANGLES, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
-    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, RANGE, ROUND, SUCTION, TAPER, THICKNESS, TO,
-    TOWARD, WEB_NAME, WEB_OF_LAYER,
+    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROUND, SUCTION, TAPER, THICKNESS,
+    TO, TOWARD, WEB_NAME, WEB_OF_LAYER,
 };
 use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
@@ -43,6 +43,8 @@ impl Known {
         let (taper, toward) = (table.get(&TAPER), table.get(&TOWARD));
         let (material, stack) = (self.material(table), self.stack(table, true));
         let angle = table.get(&FIBER_ANGLE);
+        let profile = table.get(&PROFILE);
+        let profile = profile.map(|found| found.map_or_else(Vec::new, |found| found.0));
         let web = table.get(&WEB_OF_LAYER)?;
         let line = table.line_of(&WEB_OF_LAYER);
         let of_web = |key: &Key<Place>, given: Place, side: &str| match &web {
@@ -62,6 +64,7 @@ impl Known {
                 from: from.clone(),
                 to: to.clone(),
                 taper: taper?,
+                profile: profile.clone()?,
                 web: web.clone(),
                 line: table.line(),
             })
@@ -96,6 +99,7 @@ impl Known {
             from: Place::arc(0.0),
             to: Place::arc(1.0),
             taper: None,
+            profile: Vec::new(),
             web: None,
             line: table.line(),
         })

@@ -59,6 +59,7 @@ impl<'a> Resolver<'a> {
                 from,
                 to,
                 taper: layer.taper.map(|taper| taper.length(thickness)),
+                profile: layer.profile.clone(),
             });
         }
         let mut webs = Vec::new();

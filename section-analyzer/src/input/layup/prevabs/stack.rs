@@ -81,6 +81,7 @@ impl Named<'_> {
             from: Place::arc(from),
             to: Place::arc(to),
             taper: None,
+            profile: Vec::new(),
             web: None,
             line: self.line,
         }

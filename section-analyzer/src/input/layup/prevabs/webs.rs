@@ -56,6 +56,7 @@ pub(super) fn web(
         from: Place::arc(0.0),
         to: Place::arc(1.0),
         taper: None,
+        profile: Vec::new(),
         web: None,
         line,
     });

@@ -167,6 +167,7 @@ fn layer<'n>(
         from,
         to,
         taper: None,
+        profile: Vec::new(),
         web: None,
         line: item.line,
     })
@@ -329,6 +330,7 @@ fn bond_lines<'n>(
             from,
             to,
             taper: None,
+            profile: Vec::new(),
             web: None,
             line: flange.line,
         });

@@ -79,15 +79,21 @@ fn nominal(wall: &Wall) -> Vec<f64> {
         super::wall::Edge::Face => wall.ends,
         _ => [0.0, wall.outline.perimeter()],
     };
-    let step = (to - from) / SAMPLES as f64;
     let mut sums = vec![0.0; wall.stack.len()];
-    for i in 0..SAMPLES {
-        let s = from + step * (i as f64 + 0.5);
-        let bend = wall.outline.bend(s);
-        let mut outer = 0.0;
-        for (layer, inner) in wall.stack.depths(s).into_iter().enumerate() {
-            sums[layer] += (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step;
-            outer = inner;
+    // the layers of a spar end without a ramp
+    let corners = wall.spar.iter().flat_map(|spar| spar.corners);
+    let ends: Vec<f64> = [from].into_iter().chain(corners).chain([to]).collect();
+    for pair in ends.windows(2) {
+        let count = (SAMPLES as f64 * (pair[1] - pair[0]) / (to - from)).ceil();
+        let step = (pair[1] - pair[0]) / count;
+        for i in 0..count as usize {
+            let s = pair[0] + step * (i as f64 + 0.5);
+            let bend = wall.outline.bend(s);
+            let mut outer = 0.0;
+            for (layer, inner) in wall.stack.depths(s).into_iter().enumerate() {
+                sums[layer] += (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step;
+                outer = inner;
+            }
         }
     }
     // a mitre takes of both sides

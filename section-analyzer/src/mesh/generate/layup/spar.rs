@@ -3,8 +3,8 @@
 //! ```text
 //!         suction side
 //!      *---------------.
-//!      |  *----------.  \\
-//!      |  |           \\  |    the layers outside of the spar continue behind the web
+//!      |  *----------.  \
+//!      |  |           \  |    the layers outside of the spar continue behind the web
 //!      |  *----------'  /
 //!      *---------------'
 //!         pressure side

@@ -36,6 +36,8 @@ struct Course {
     cells: usize,
     /// Whether it is inside of a spar.
     is_inside: bool,
+    /// Arc lengths and parts of its thickness; none if it has the whole one.
+    profile: Vec<[f64; 2]>,
     /// Begin and end of the ramps at its start and its end; `None` at a trailing edge.
     ramps: [Option<[f64; 2]>; 2],
 }
@@ -60,18 +62,11 @@ impl Stack {
         size: f64,
         (is_ring, edges, seam): (bool, [f64; 2], f64),
     ) -> Self {
-        let has = |number, layer| spar.is_some_and(|spar| spar.has(number, layer));
-        let mut courses: Vec<Course> = layers
-            .iter()
-            .enumerate()
-            .map(|(number, layer)| Course {
-                is_inside: has(number, layer),
-                name: layer.name.clone(),
-                thickness: layer.thickness,
-                cells: (layer.thickness / (2.0 * size)).ceil().clamp(1.0, 50.0) as usize,
-                ramps: [None; 2],
-            })
-            .collect();
+        let course = |(number, layer): (usize, &Layer)| {
+            let is_inside = spar.is_some_and(|spar| spar.has(number, layer));
+            Course::new(layer, is_inside, [perimeter, size])
+        };
+        let mut courses: Vec<Course> = layers.iter().enumerate().map(course).collect();
         let mut ends: Vec<End> = Vec::new();
         let margin = AT_EDGE * perimeter;
         for (index, layer) in layers.iter().enumerate() {
@@ -90,7 +85,9 @@ impl Stack {
             for (which, at) in [from, to].into_iter().enumerate() {
                 let arc = [layer.from, layer.to][which];
                 let at_web = spar.is_some_and(|spar| (spar.arcs[which] - arc).abs() < SAME_ARC);
-                if (reaches[which] && !is_ring) || (at_web && courses[index].is_inside) {
+                let is_sharp = layer.ends_at_zero(which);
+                let has_face = reaches[which] && !is_ring;
+                if is_sharp || has_face || (at_web && courses[index].is_inside) {
                     continue;
                 }
                 let seam_at = [0.0, perimeter][which];
@@ -197,7 +194,8 @@ impl Stack {
     /// Ends of all ramps, from 0 to the length of the contour.
     pub fn marks(&self) -> Vec<f64> {
         let ramps = self.courses.iter().flat_map(|course| course.ramps);
-        let ends = ramps.flatten().flatten();
+        let corners = self.courses.iter().flat_map(|course| &course.profile);
+        let ends = ramps.flatten().flatten().chain(corners.map(|one| one[0]));
         let mut marks: Vec<f64> = ends
             .map(|s| {
                 if self.is_ring {
@@ -214,11 +212,53 @@ impl Stack {
 }
 
 impl Course {
+    /// A layer without ramps on a contour of this length, with this size of cells.
+    fn new(layer: &Layer, is_inside: bool, [perimeter, size]: [f64; 2]) -> Self {
+        Self {
+            name: layer.name.clone(),
+            thickness: layer.thickness,
+            cells: (layer.thickness / (2.0 * size)).ceil().clamp(1.0, 50.0) as usize,
+            is_inside,
+            profile: profile(layer, perimeter),
+            ramps: [None; 2],
+        }
+    }
+
     /// Part of the thickness at an arc length.
     fn part(&self, s: f64) -> f64 {
         let up = self.ramps[0].map_or(1.0, |[low, high]| (s - low) / (high - low));
         let down = self.ramps[1].map_or(1.0, |[low, high]| (high - s) / (high - low));
-        up.min(down).clamp(0.0, 1.0)
+        up.min(down).clamp(0.0, 1.0) * self.profile_at(s)
+    }
+
+    fn profile_at(&self, s: f64) -> f64 {
+        let after = self.profile.partition_point(|one| one[0] <= s);
+        match (
+            after.checked_sub(1).map(|i| self.profile[i]),
+            self.profile.get(after),
+        ) {
+            (None, None) => 1.0,
+            (Some(end), None) => end[1],
+            (None, Some(start)) => start[1],
+            (Some([from, a]), Some([to, b])) => a + (b - a) * (s - from) / (to - from),
+        }
+    }
+}
+
+/// The profile of a layer over the arc length.
+fn profile(layer: &Layer, perimeter: f64) -> Vec<[f64; 2]> {
+    let at = |part: f64| (layer.from + part * (layer.to - layer.from)) * perimeter;
+    let profile = layer.profile.iter();
+    profile
+        .map(|[part, thickness]| [at(*part), *thickness])
+        .collect()
+}
+
+impl Layer {
+    /// Whether its profile is zero at its start (0) or its end (1).
+    fn ends_at_zero(&self, which: usize) -> bool {
+        let ends = [self.profile.first(), self.profile.last()];
+        ends[which].is_some_and(|end| end[1] < ABSENT)
     }
 }
 

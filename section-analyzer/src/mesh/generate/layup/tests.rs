@@ -34,6 +34,7 @@ fn layer(thickness: f64, from: f64, to: f64) -> Layer {
         from,
         to,
         taper: None,
+        profile: Vec::new(),
     }
 }
 

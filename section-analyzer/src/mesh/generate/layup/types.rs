@@ -45,6 +45,9 @@ pub struct Layer {
     /// Length over which its thickness drops to zero at its ends; about the thickness
     /// without it [unit of the mesh].
     pub taper: Option<f64>,
+    /// Parts of its thickness over parts of its width, from 0 to 1 in ascending order, straight lines
+    /// between them; the whole thickness without them [-].
+    pub profile: Vec<[f64; 2]>,
 }
 
 /// A web, a stack of plies between two points of the contour.
