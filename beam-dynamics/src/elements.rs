@@ -46,7 +46,7 @@ mod rates_tests;
 mod symmetry_tests;
 
 pub use adapted::Adapted;
-pub use air_state::{AirState, NO_INFLOW, RotorMotion, RotorSum, StripPlace, StripQuantity};
+pub use air_state::{AirState, NO_INFLOW, RotorMotion, RotorSum, StripLocation, StripQuantity};
 pub(crate) use capabilities::has;
 pub use capabilities::{
     Constraints, Energetic, FixedAxes, Growth, Memory, Reports, Settling, Structure,

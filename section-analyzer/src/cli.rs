@@ -117,7 +117,7 @@ fn dispatch(
     };
     match arguments.command {
         Command::Analyze(arguments) => analyze::analyze_files(&arguments, terminal),
-        Command::Check { file, out } => check::check_file(&file, out, terminal),
+        Command::Check(arguments) => check::check_file(&arguments, terminal),
         Command::Stress {
             file,
             load,
@@ -160,6 +160,12 @@ impl Terminal<'_> {
         }
     }
 
+    /// Reports warnings about a file that no report shows.
+    fn warn_if_quiet(&mut self, file: &Path, warnings: &[String]) -> io::Result<()> {
+        let mut shown = warnings.iter().filter(|_| self.is_quiet);
+        shown.try_for_each(|text| writeln!(self.err, "warning: {}: {text}", file.display()))
+    }
+
     fn read(&mut self, file: &Path) -> Result<Input, Stop> {
         input::read(file).map_err(|problems| self.report_all(&problems))
     }
@@ -177,6 +183,12 @@ impl Terminal<'_> {
     fn report_all(&mut self, problems: &Diagnostics) -> Stop {
         self.report_text(&problems.to_string(), WRONG_INPUT)
     }
+}
+
+/// The warnings about an input, as text.
+fn warnings_of(input: &Input) -> Vec<String> {
+    let warnings = input.summary.warnings.iter();
+    warnings.map(ToString::to_string).collect()
 }
 
 /// Text of a reported problem, with its remedy.

@@ -24,6 +24,7 @@ mod layup_file;
 mod layup_report;
 mod layup_section;
 mod layup_strip;
+mod material_colors;
 mod mesh_error;
 mod mesh_plot;
 mod model_section;

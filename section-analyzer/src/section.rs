@@ -9,7 +9,7 @@ mod imposed;
 pub use electrode::{Circuit, Electrode, ElectrodeShape, FingeredCell};
 pub use imposed::{FreeStrain, ImposedStrain, TemperatureField};
 
-use crate::material::Material;
+use crate::material::{ElasticLaw, Material};
 use crate::mesh::SectionMesh;
 
 /// A section ready for analysis.
@@ -27,6 +27,14 @@ pub struct Section {
     pub initial_curvature: InitialCurvature,
     /// Electrodes, of different names; without electrodes, electric laws have no effect.
     pub electrodes: Vec<Electrode>,
+}
+
+impl Section {
+    /// Whether the material of a cell has directions, so that its angles matter.
+    pub fn has_directions(&self, cell: usize) -> bool {
+        let material = self.materials.get(self.cells[cell].material);
+        !material.is_none_or(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
+    }
 }
 
 /// Material and orientation of one cell, constant over it.

@@ -38,12 +38,12 @@ pub fn has_ending(file: &str) -> bool {
     ENDINGS.iter().any(|ending| file.ends_with(ending))
 }
 
-/// The files of the BECAS model at `path`, which is its folder or its file `N2D.in`, in the order of
+/// The files of the BECAS model at `path`, which is its folder or one of its files, in the order of
 /// [`BECAS_FILES`]; `None` for other files.
 pub fn becas_files(path: &Path) -> Option<[PathBuf; 4]> {
     let folder = match path.is_dir() {
         true => path,
-        false if path.file_name() == Some(BECAS_FILES[0].as_ref()) => path.parent()?,
+        false if BECAS_FILES.iter().any(|file| path.ends_with(file)) => path.parent()?,
         false => return None,
     };
     Some(BECAS_FILES.map(|name| folder.join(name)))

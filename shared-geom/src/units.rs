@@ -446,7 +446,7 @@ mod tests {
         // "MN" is as near, but it is a force.
         assert_eq!(help("mn", Dimension::LENGTH), "did you mean \"mm\"?");
         assert_eq!(help("mn", Dimension::FORCE), "did you mean \"MN\"?");
-        assert_eq!(help("gpa", Dimension::STRESS), "did you mean \"GPa\"?");
+        assert_eq!(help("GPs", Dimension::STRESS), "did you mean \"GPa\"?");
         assert_eq!(
             help("furlong", Dimension::LENGTH),
             "units of it: m, mm, cm, km, um, in, ft"

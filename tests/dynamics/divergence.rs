@@ -96,14 +96,14 @@ fn a_wing_twists_by_the_closed_form_up_to_its_divergence() {
         assert_eq!(strips.len(), 2 * BEAMS);
         let angle = 0.5 * PI * part.sqrt();
         for strip in strips {
-            let x = angle * strip.place.span / SPAN;
+            let x = angle * strip.location.span / SPAN;
             let expected = ROOT.to_radians() * (angle.tan() * x.sin() + x.cos());
             let error = (strip.flow.alpha / expected - 1.0).abs();
             assert!(error < 1e-3, "{part}: {} {expected}", strip.flow.alpha);
-            assert!(strip.rotor.is_none() && strip.place.blade == "wing");
+            assert!(strip.rotor.is_none() && strip.location.blade == "wing");
         }
         let last = &strips[strips.len() - 1];
-        let x = angle * last.place.span / SPAN;
+        let x = angle * last.location.span / SPAN;
         let expected = ROOT * (angle.tan() * x.sin() + x.cos());
         let found = last.flow.alpha.to_degrees();
         let error = (found / expected - 1.0).abs();

@@ -24,7 +24,7 @@ fn rotor(inflow: &str, blades: &str) -> RotorAir {
     let air = &outcome.result.steps[0].air;
     assert!(
         air.iter()
-            .all(|one| one.place.rotor.as_deref() == Some("lift"))
+            .all(|one| one.location.rotor.as_deref() == Some("lift"))
     );
     RotorAir::of(air).unwrap()
 }

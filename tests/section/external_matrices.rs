@@ -347,7 +347,7 @@ fn the_command_writes_a_property_file() {
     let heading = lines.next().expect("a heading");
     let column = heading
         .iter()
-        .position(|name| *name == "ux Mx")
+        .position(|name| *name == "ux Mx [1/N]")
         .expect("its name");
     let row = lines.next().expect("a node");
     let found: f64 = row[column].parse().expect("a number");

@@ -248,7 +248,7 @@ fn rows(
     (by, of_input): (&Mat<f64>, f64),
 ) -> DMatrix<f64> {
     DMatrix::from_fn(outputs.len(), by.ncols(), |i, j| {
-        match augmented.place(outputs[i]) {
+        match augmented.index(outputs[i]) {
             Ok(unknown) => by[(unknown, j)],
             // The output is an input itself.
             Err(input) if input == j => of_input,

@@ -198,7 +198,7 @@ fn described(mut text: String, reading: &Reading, lost: &[String]) -> String {
         text.push_str(if problems.is_empty() {
             "\nEverything is converted\n"
         } else {
-            "\nEverything is converted, with the problems below\n"
+            "\nEverything is converted, but the blade cannot be analyzed for the problems below\n"
         });
     }
     list(&mut text, "Remarks", &reading.remarks);

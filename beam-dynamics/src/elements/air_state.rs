@@ -10,7 +10,7 @@ pub const NO_INFLOW: &str = "rotor";
 
 /// Location of a strip in the model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StripPlace {
+pub struct StripLocation {
     /// Name of the rotor: of its inflow, if it has one; `None` without a rotor.
     pub rotor: Option<String>,
     /// Name of the blade, or of the card of strips.
@@ -23,7 +23,7 @@ pub struct StripPlace {
     pub zero: Vector3<f64>,
 }
 
-impl Default for StripPlace {
+impl Default for StripLocation {
     /// The first strip of a blade without a name.
     fn default() -> Self {
         Self {
@@ -55,7 +55,7 @@ pub struct RotorMotion {
 #[derive(Debug, Clone, PartialEq)]
 pub struct AirState {
     /// Its location.
-    pub place: Arc<StripPlace>,
+    pub location: Arc<StripLocation>,
     /// Distance of the quarter chord from the shaft; not a number without a rotor \[m\].
     pub radius: f64,
     /// Azimuth of the quarter chord about the shaft, from zero to a full turn; not a number without

@@ -182,8 +182,8 @@ fn add_columns(
         is_sound &= found.is_some();
         let mut found = found.unwrap_or_default();
         for (i, name) in wanted {
-            let place = found.iter().position(|found| found.0.name == *name);
-            if let Some((port, quantity, kind)) = place.map(|place| found.swap_remove(place)) {
+            let index = found.iter().position(|found| found.0.name == *name);
+            if let Some((port, quantity, kind)) = index.map(|index| found.swap_remove(index)) {
                 let words = (kind, port.name.as_str());
                 let attached = control::attach(quantity, words, &port.scalar, builder);
                 if let Err(problem) = &attached {

@@ -24,7 +24,7 @@ use super::beam_card::Beam;
 use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
 use crate::elements::strips::{Air, AirStrip, RotorDisk, StripGeometry, StripRotor, TipRadius};
-use crate::elements::{Element, Signal, StripPlace};
+use crate::elements::{Element, Signal, StripLocation};
 use crate::model::Node;
 
 mod cards;
@@ -71,13 +71,13 @@ keys! {
 /// Strips of the blades of one card.
 #[derive(Debug)]
 pub(super) struct BladeAir {
-    along: Along,
+    along: LineAir,
     rotor: Rotor,
 }
 
 /// Strips along a line.
 #[derive(Debug)]
-struct Along {
+struct LineAir {
     stations: Stations,
     flaps: Vec<Flap>,
     model: SectionModel,
@@ -120,7 +120,7 @@ pub(super) fn read(
     table.finish();
     let rotor = rotor::find(wanted?.as_deref(), table, builder, user);
     Some(BladeAir {
-        along: Along {
+        along: LineAir {
             stations: stations?,
             flaps: flaps?,
             model: model?,
@@ -242,7 +242,7 @@ fn place(
         mach_limits,
     };
     for (number, (element, span)) in strips.enumerate() {
-        let element = element.placed(StripPlace {
+        let element = element.placed(StripLocation {
             rotor: placed.rotor.clone(),
             blade: name.to_owned(),
             number: number + 1,
@@ -345,7 +345,7 @@ fn ends<'a>(beam: &Beam, builder: &'a ModelBuilder) -> [&'a Node; 3] {
 
 /// The strips of a line of beams, from its beginning to its end.
 fn strips(
-    air: &Along,
+    air: &LineAir,
     (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
     builder: &ModelBuilder,
     inflow: &StripsInflow,
@@ -389,7 +389,7 @@ fn last_inside([mut low, mut high]: [f64; 2], is_inside: impl Fn(f64) -> bool) -
 /// Part of a line below which a piece between two stations has no strip of its own.
 const SHORTEST: f64 = 1e-6;
 
-impl Along {
+impl LineAir {
     /// Strips of the part of a line between two arc lengths, also cut at `cut`: their positions and
     /// lengths \[m\].
     fn points(&self, [start, end]: [f64; 2], cut: Option<f64>) -> Vec<(f64, f64, Between)> {

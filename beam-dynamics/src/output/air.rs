@@ -17,7 +17,7 @@ use crate::elements::AirState;
 /// Names of the rotors of strips, in their order.
 fn rotors<'a>(states: impl IntoIterator<Item = &'a AirState>) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
-    for rotor in states.into_iter().flat_map(|state| &state.place.rotor) {
+    for rotor in states.into_iter().flat_map(|state| &state.location.rotor) {
         if !names.contains(&rotor.as_str()) {
             names.push(rotor);
         }

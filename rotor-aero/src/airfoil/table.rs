@@ -13,7 +13,7 @@ use crate::real::Real;
 /// One coefficient of an airfoil.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Table {
-    flaps: Along<Along<Surface>>,
+    flaps: Interpolated<Interpolated<Surface>>,
 }
 
 impl Table {
@@ -22,13 +22,13 @@ impl Table {
         let by_flap = grouped(curves, |curve| curve.flap.unwrap_or(0.0));
         let by_reynolds = |group: &Vec<Curve>| {
             let groups = grouped(group, |curve| curve.reynolds.map_or(0.0, f64::ln));
-            Along::new(&groups, |curves| {
+            Interpolated::new(&groups, |curves| {
                 Surface::new(&ascending(curves), interpolation)
             })
         };
         let has_curves = !by_flap.is_empty();
         has_curves.then(|| Self {
-            flaps: Along::new(&by_flap, by_reynolds),
+            flaps: Interpolated::new(&by_flap, by_reynolds),
         })
     }
 
@@ -52,7 +52,7 @@ pub(super) type Slopes = [f64; 5];
 impl Table {
     /// The coefficient in a flow with its derivatives: the same as [`Self::at`] in plain numbers.
     pub(super) fn slopes(&self, flow: &Flow<f64>) -> Slopes {
-        let of_reynolds = |by_reynolds: &Along<Surface>| {
+        let of_reynolds = |by_reynolds: &Interpolated<Surface>| {
             let of_surface = |surface: &Surface| {
                 let [value, by_alpha, by_mach] = surface.slopes(flow.alpha, flow.mach);
                 [value, by_alpha, by_mach, 0.0, 0.0]
@@ -79,12 +79,12 @@ fn logarithm<T: Real>(x: T) -> T {
 
 /// Items at ascending abscissas, linear between them and constant outside.
 #[derive(Debug, Clone, PartialEq)]
-struct Along<C> {
+struct Interpolated<C> {
     knots: Vec<f64>,
     items: Vec<C>,
 }
 
-impl<C> Along<C> {
+impl<C> Interpolated<C> {
     fn new(groups: &[(f64, Vec<Curve>)], item: impl Fn(&Vec<Curve>) -> C) -> Self {
         Self {
             knots: groups.iter().map(|(knot, _)| *knot).collect(),
@@ -112,7 +112,7 @@ impl<C> Along<C> {
     }
 }
 
-impl<C> Along<C> {
+impl<C> Interpolated<C> {
     /// The value at `x` with its derivatives, the one by `x` at `index`.
     fn slopes(&self, x: impl Fn() -> f64, index: usize, value: impl Fn(&C) -> Slopes) -> Slopes {
         let last = self.items.len() - 1;

@@ -69,8 +69,6 @@ pub(super) struct Run {
     mesh_error: bool,
     /// Driven electrodes that are open.
     open: Vec<String>,
-    /// Whether no report is printed, so that warnings are problems.
-    quiet: bool,
 }
 
 impl Run {
@@ -82,7 +80,6 @@ impl Run {
             sensitivity: None,
             mesh_error: false,
             open: Vec::new(),
-            quiet: false,
         }
     }
 }
@@ -113,10 +110,9 @@ pub(super) fn analyze_files(
             .then(|| arguments.sensitivity_nodes.clone()),
         mesh_error: arguments.mesh_error,
         open: arguments.open.clone(),
-        quiet: terminal.is_quiet,
     };
     match &jobs[..] {
-        [job] => show(analyze_one(job, &run).0, terminal),
+        [job] => show(job, analyze_one(job, &run).0, terminal),
         jobs => solve_all(
             jobs,
             arguments.threads,
@@ -132,11 +128,11 @@ const REMOVED: &str =
     "Removed: results of an earlier run (--sensitivity and --mesh-error make them)";
 
 /// Shows the outcome of a run with a single section.
-fn show(outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
+fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
-    if let Some(problems) = &outcome.problems {
+    if let Some(messages) = outcome.messages(&job.label, terminal.is_quiet) {
         // Reported first; the written files are listed all the same.
-        terminal.report_text(problems, outcome.status.code());
+        terminal.report_text(&messages, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
     list(REMOVED, &outcome.removed, terminal)?;

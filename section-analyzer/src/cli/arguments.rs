@@ -7,6 +7,7 @@ use shared_geom::command_help::Shell;
 use shared_geom::mesh::CellKind;
 
 mod analyze;
+mod check;
 mod convert;
 mod layup;
 mod matrices;
@@ -18,6 +19,8 @@ mod whole_blade;
 pub(super) use super::load_arguments::LoadArguments;
 pub(super) use analyze::AnalyzeArguments;
 use analyze::{ANALYZE, ANALYZE_EXAMPLE};
+pub(super) use check::CheckArguments;
+use check::{CHECK, CHECK_EXAMPLE};
 pub(super) use convert::ConvertArguments;
 use convert::{CONVERT, CONVERT_EXAMPLE};
 use layup::{LAYUP, LAYUP_EXAMPLE, MESH_LAYUP, MESH_LAYUP_EXAMPLE};
@@ -65,19 +68,6 @@ Example, a strip of aluminum:
   section-analyzer analyze strip.section.toml
 
 Exit codes: 0 done; 1 ran but did not reach its goal; 2 wrong input or command line.";
-
-const CHECK: &str = "\
-Reads and checks a section file without solving it
-
-Reports all problems of the section file, its mesh and its tables, with file,
-line and remedy; without problems, prints the contents of the file and the shapes
-of the cells by region. With --out it draws the section too:
-  NAME.mesh.png          the mesh in the colors of its materials
-  NAME.fibers.png        wall directions and fiber angles, if a material has directions";
-
-const CHECK_EXAMPLE: &str = "\
-Example:
-  section-analyzer check blade/root.section.toml --out blade/results";
 
 const MESH: &str = "\
 Makes the mesh of a simple shape
@@ -204,13 +194,7 @@ pub(super) enum Command {
     #[command(about = first_line(ANALYZE), long_about = ANALYZE, after_help = ANALYZE_EXAMPLE)]
     Analyze(AnalyzeArguments),
     #[command(about = first_line(CHECK), long_about = CHECK, after_help = CHECK_EXAMPLE)]
-    Check {
-        /// Section file, NAME.section.toml
-        file: PathBuf,
-        /// Folder for the figures of mesh and fibers; none is written if not given
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
-    },
+    Check(CheckArguments),
     #[command(about = first_line(STRESS), long_about = STRESS, after_help = STRESS_EXAMPLE)]
     Stress {
         /// Section file, NAME.section.toml

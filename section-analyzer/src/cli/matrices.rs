@@ -40,8 +40,10 @@ pub(super) fn analyze_file(
         terminal.report_text(&reported(file, &failure), code)
     })?;
     let mut results = ResultWriter::new(files);
-    let report = report(file, &input, &solved);
+    let warnings = warnings(&solved);
+    let report = report(file, &input, &solved, &warnings);
     write!(terminal.out, "{report}")?;
+    terminal.warn_if_quiet(file, &warnings)?;
     let written = write_results(&input, solved.analysis.solution(), &report, &mut results);
     let reported = written.map_err(|problem| terminal.report(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
@@ -83,14 +85,22 @@ fn reported(file: &Path, failure: &Failure) -> String {
     Diagnostics::one(location, failure).to_string()
 }
 
-fn report(file: &Path, input: &ExternalInput, solved: &Solved) -> String {
+fn warnings(solved: &Solved) -> Vec<String> {
+    let warnings = solved.analysis.warnings().iter();
+    let shown = warnings.map(|warning| {
+        let help = warning.help().unwrap_or_default();
+        format!("{warning}; {help}")
+    });
+    shown.collect()
+}
+
+fn report(file: &Path, input: &ExternalInput, solved: &Solved, warnings: &[String]) -> String {
     let solution = solved.analysis.solution();
     let properties = external_properties(&input.section, solution, &input.input_hash);
     let text = property_report(&file.display().to_string(), &properties);
-    let warnings = solved.analysis.warnings().iter().map(|warning| {
-        let help = warning.help().unwrap_or_default();
-        format!("  warning: {warning}; {help}\n")
-    });
+    let warnings = warnings
+        .iter()
+        .map(|warning| format!("  warning: {warning}\n"));
     let warnings: String = warnings.collect();
     let ends = solved.end_effects.as_ref().map(end_effects);
     let heading = if warnings.is_empty() {

@@ -1,6 +1,6 @@
 //! `section-analyzer strength`: reserve factors and damage of the plies of a blade, fatigue loads.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use nalgebra::Vector6;
@@ -26,8 +26,18 @@ mod histories;
 
 use histories::Histories;
 
-/// The ending of tables of stations.
+/// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
+const BLADE: &str = ".blade.json";
+
+/// The table of stations at `path`, or beside the blade there.
+fn table_of(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    match name.strip_suffix(BLADE) {
+        Some(name) => path.with_file_name(format!("{name}{ENDING}")),
+        None => path.to_owned(),
+    }
+}
 
 /// A reason for which there are no reserve factors.
 #[derive(Debug, thiserror::Error)]
@@ -65,7 +75,7 @@ pub(super) fn envelope(
     arguments: &StrengthArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let span = &arguments.span;
+    let span = &table_of(&arguments.span);
     let wrong = |problem: NoStrength| {
         Diagnostics::one(SourceLocation::file(span.display().to_string()), &problem)
     };
@@ -215,7 +225,7 @@ impl Tables<'_> {
         arguments: &StrengthArguments,
         terminal: &mut Terminal<'_>,
     ) -> Result<(), Stop> {
-        let span = &arguments.span;
+        let span = &table_of(&arguments.span);
         let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
         let folder = arguments.out.clone().unwrap_or_else(beside);
         if !folder.as_os_str().is_empty() {

@@ -47,6 +47,14 @@ pub enum ColumnProblem {
         /// Number of columns.
         expected: usize,
     },
+    /// Several columns of one name and unit.
+    #[error("{count} columns are called \"{column}\", expected one")]
+    Doubled {
+        /// The name.
+        column: String,
+        /// Number of columns.
+        count: usize,
+    },
     /// A table without rows.
     #[error("the table has no rows")]
     Empty,
@@ -54,19 +62,21 @@ pub enum ColumnProblem {
 
 impl Explain for ColumnProblem {
     fn help(&self) -> Option<String> {
-        let Self::NoColumn {
-            column,
-            known,
-            remedy,
-        } = self
-        else {
-            return None;
-        };
-        let near = nearest_name(column, known.iter().map(String::as_str));
-        Some(match near {
-            Some(near) => format!("did you mean \"{near}\"?"),
-            None => format!("it has {}; {remedy}", quoted(known)),
-        })
+        match self {
+            Self::NoColumn {
+                column,
+                known,
+                remedy,
+            } => {
+                let near = nearest_name(column, known.iter().map(String::as_str));
+                Some(match near {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("it has {}; {remedy}", quoted(known)),
+                })
+            }
+            Self::Doubled { .. } => Some("remove or rename one of them".to_owned()),
+            _ => None,
+        }
     }
 }
 
@@ -116,7 +126,8 @@ impl ColumnTable {
     /// Reads the table at `path`; `remedy` is for columns that are missing.
     ///
     /// # Errors
-    /// A file that cannot be read or has no rows, a row that does not fit.
+    /// A file that cannot be read or has no rows, two columns of one name and unit, a row that does
+    /// not fit.
     pub fn read(path: &Path, remedy: &'static str) -> Result<Self, Diagnostics> {
         let text = read_text(path)?;
         let lines = text.trim_start_matches('\u{feff}').lines().zip(1..);
@@ -134,6 +145,14 @@ impl ColumnTable {
         };
         if table.rows.is_empty() {
             return Err(table.problem(1, &ColumnProblem::Empty));
+        }
+        for column in &table.columns {
+            let same = |other: &&Column| (&other.name, &other.unit) == (&column.name, &column.unit);
+            let count = table.columns.iter().filter(same).count();
+            if count > 1 {
+                let column = column.name.clone();
+                return Err(table.problem(1, &ColumnProblem::Doubled { column, count }));
+            }
         }
         let expected = table.columns.len();
         match table.rows.iter().find(|row| row.cells.len() != expected) {

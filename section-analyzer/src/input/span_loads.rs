@@ -12,7 +12,7 @@ use nalgebra::Vector6;
 use shared_geom::error::{Diagnostics, Explain, nearest_name, quoted};
 use shared_geom::units::{Dimension, parse_as};
 
-use super::column_table::{ColumnTable, Row, plain};
+use super::column_table::{ColumnProblem, ColumnTable, Row, plain};
 
 mod envelope;
 
@@ -46,14 +46,6 @@ pub enum SpanLoadProblem {
         wanted: String,
         /// The beams of the table.
         members: Vec<String>,
-    },
-    /// Two columns for one component.
-    #[error("{count} columns are called \"{column}\", expected one")]
-    Columns {
-        /// The name.
-        column: String,
-        /// Number of columns.
-        count: usize,
     },
     /// Two rows for one position and instant.
     #[error(
@@ -93,7 +85,6 @@ impl Explain for SpanLoadProblem {
     fn help(&self) -> Option<String> {
         Some(match self {
             Self::Members { .. } | Self::NoMember { .. } => "name it with --member".to_owned(),
-            Self::Columns { .. } => "remove or rename one of them".to_owned(),
             Self::Rows { .. } => {
                 "number the instants in a column time or step, and name load cases in a column case"
                     .to_owned()
@@ -261,9 +252,7 @@ impl LoadTable {
             let count = self.0.count(name);
             if count > 1 {
                 let column = name.clone();
-                return Err(self
-                    .0
-                    .problem(1, &SpanLoadProblem::Columns { column, count }));
+                return Err(self.0.problem(1, &ColumnProblem::Doubled { column, count }));
             }
             if let Some(column) = self.0.index(name) {
                 *found = Some((column, self.0.factor(column, dimension)?));

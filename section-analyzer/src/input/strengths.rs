@@ -296,7 +296,7 @@ impl Limits<'_> {
         };
         let fiber = fiber?;
         let slopes = Slopes {
-            fiber: fiber.or(matrix)?,
+            fiber,
             matrix: matrix.or(fiber)?,
         };
         self.is_sound(slopes.check()).then_some(slopes)

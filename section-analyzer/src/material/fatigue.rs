@@ -6,8 +6,9 @@ pub const SLOPES: (f64, f64) = (1.0, 50.0);
 /// Slopes m of S-N lines, `N = (S / S_a)^m` cycles of the amplitude `S_a` \[-\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slopes {
-    /// Along the fiber; all of an isotropic material \[-\].
-    pub fiber: f64,
+    /// Along the fiber, of all stresses of an isotropic material; without it they have no damage
+    /// along the fiber \[-\].
+    pub fiber: Option<f64>,
     /// Across the fiber and in shear \[-\].
     pub matrix: f64,
 }

@@ -205,8 +205,9 @@ impl Slopes {
     /// All slopes out of their range.
     pub fn check(&self) -> Vec<StrengthProblem> {
         let is_wrong = |value: f64| !(SLOPES.0..=SLOPES.1).contains(&value);
-        let slopes = [("m", self.fiber), ("m_matrix", self.matrix)];
-        let wrong = slopes.into_iter().filter(|(_, value)| is_wrong(*value));
+        let fiber = self.fiber.map(|value| ("m", value));
+        let slopes = fiber.into_iter().chain([("m_matrix", self.matrix)]);
+        let wrong = slopes.filter(|(_, value)| is_wrong(*value));
         wrong
             .map(|(key, value)| StrengthProblem::SlopeOutOfRange { key, value })
             .collect()

@@ -26,13 +26,15 @@ pub fn external_properties(
 }
 
 /// The warping under each unit internal force: a row per node, with its number and position,
-/// then ux, uy, uz under N, Vy, Vz, Mx, My, Mz \[m/N, 1/N\].
+/// then ux, uy, uz under N, Vy, Vz, Mx, My, Mz, as `ux Mx [1/N]`.
 pub fn external_warping_csv(section: &ExternalSection, solution: &SectionSolution) -> String {
-    let mut text = "node,y,z".to_owned();
-    for force in ["N", "Vy", "Vz", "Mx", "My", "Mz"] {
+    let mut text = "node,y [m],z [m]".to_owned();
+    let forces = ["N", "Vy", "Vz", "Mx", "My", "Mz"];
+    for (index, force) in forces.into_iter().enumerate() {
+        let unit = if index < 3 { "m/N" } else { "1/N" };
         for axis in ["x", "y", "z"] {
             // writing to a string cannot fail
-            let _ = write!(text, ",u{axis} {force}");
+            let _ = write!(text, ",u{axis} {force} [{unit}]");
         }
     }
     text.push('\n');

@@ -1,5 +1,5 @@
 //! The fiber directions: the wall direction and its normal in a choice of cells, and the fiber
-//! angle of every cell as its color.
+//! angle of every cell as its color; its material, if all fibers run along the beam.
 //!
 //! ```text
 //!      ----> s      flag: the pole is the wall normal n, the arrow the wall
@@ -17,14 +17,14 @@ use super::figure_parts::{
     BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, draw_color_bar, draw_title,
 };
 use super::layup_strip::LayupStrip;
+use super::material_colors::MaterialColors;
 use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, Plane, PlotUnit};
 use crate::input::InputSummary;
-use crate::material::ElasticLaw;
 use crate::mesh::distance;
 use crate::section::Section;
 
-/// Height of the legend, and of one of its lines [figure pixels].
+/// Height of the legend with a color bar, and of one of its lines [figure pixels].
 const LEGEND: f64 = 390.0;
 const LINE: f64 = 54.0;
 /// Least distance between feet of flags [figure pixels]; smaller if their arrows point in other
@@ -56,16 +56,12 @@ pub struct FiberPlot<'a> {
     wall: f64,
     /// End of the scale of angles [deg].
     scale: f64,
+    /// Colors in place of the angles, if all of these are zero.
+    materials: Option<MaterialColors>,
     /// Cells with a flag.
     flags: Vec<usize>,
     /// The plies of a wall, if they are too thin to be seen.
     layup: Option<LayupStrip>,
-}
-
-/// Whether any cell of the section has a material with directions.
-fn has_directions(section: &Section, cell: usize) -> bool {
-    let material = section.materials.get(section.cells[cell].material);
-    !material.is_none_or(|material| matches!(material.law, ElasticLaw::Isotropic { .. }))
 }
 
 /// The fiber angle as the angle of a line, from -90 to 90 [deg].
@@ -79,7 +75,7 @@ fn line_angle(angle: f64) -> f64 {
 impl<'a> FiberPlot<'a> {
     /// The figure of `section`; `None` if all its materials are isotropic.
     pub fn new(section: &'a Section, outline: &'a Outline, summary: &InputSummary) -> Option<Self> {
-        let cells = (0..section.cells.len()).filter(|&cell| has_directions(section, cell));
+        let cells = (0..section.cells.len()).filter(|&cell| section.has_directions(cell));
         let cells: Vec<_> = cells.collect();
         let angle = |&cell: &usize| line_angle(section.cells[cell].fiber_angle).abs();
         let largest = cells.iter().map(angle).reduce(f64::max)?;
@@ -99,17 +95,22 @@ impl<'a> FiberPlot<'a> {
             plane,
             sides: &outline.sides,
             scale: scale.unwrap_or(90.0),
+            materials: (largest <= 1e-6).then(|| MaterialColors::new(section)),
             flags,
         })
     }
 
     /// Lower edge of the legend \[figure pixels\].
     fn bottom(&self) -> f64 {
-        TOP + self.plane.frame[1] + BELOW + LEGEND
+        let materials = self.materials.as_ref();
+        let height = materials.map_or(LEGEND, |colors| LINE * (colors.rows() as f64 + 3.5));
+        TOP + self.plane.frame[1] + BELOW + height
     }
 
     fn color(&self, cell: usize) -> Color {
-        if has_directions(self.section, cell) {
+        if let Some(materials) = &self.materials {
+            materials.of(self.section.cells[cell].material)
+        } else if self.section.has_directions(cell) {
             let angle = line_angle(self.section.cells[cell].fiber_angle);
             diverging(angle / self.scale)
         } else {
@@ -155,7 +156,7 @@ impl<'a> FiberPlot<'a> {
         let top = TOP + self.plane.frame[1] + BELOW;
         let label = Label::new(SMALL).colored(INK);
         let foot = [LEFT + 10.0, top + 1.1 * LINE];
-        draw_flag(drawing, foot, 0.0, (diverging(0.0), RIM));
+        draw_flag(drawing, foot, 0.0, (WHITE, RIM));
         let beside = [foot[0] + ARROW + 16.0, foot[1] - POLE];
         drawing.text("s", beside, label);
         drawing.text(
@@ -163,29 +164,40 @@ impl<'a> FiberPlot<'a> {
             [foot[0] - 20.0, foot[1] - 0.6 * POLE],
             label.anchored(Anchor::End),
         );
-        let cells = 0..self.section.cells.len();
-        let is_plain = |cell: usize| !has_directions(self.section, cell);
-        let lines = [
-            "arrow: wall direction s, at the plane angle from +y",
-            "pole: wall normal n = x cross s, x toward the reader",
-            "color: fiber angle, from x toward s; at 0 the fiber runs along the beam",
-            "white: isotropic cells",
-        ];
-        let count = if cells.into_iter().any(is_plain) {
-            4
-        } else {
-            3
-        };
-        for (row, line) in lines.into_iter().enumerate().take(count) {
+        let texts = self.legend_lines();
+        for (row, line) in texts.iter().enumerate() {
             let y = top + LINE * (0.5 + row as f64);
             drawing.text(line, [LEFT + 130.0, y], label);
         }
         let left = LEFT + 130.0;
-        let top = top + LINE * (count as f64 + 0.25);
+        let below = top + LINE * texts.len() as f64;
+        if let Some(materials) = &self.materials {
+            let rows = (LINE, f64::from(WIDTH) - RIGHT - left);
+            materials.draw(drawing, [left, below + 0.5 * LINE], rows);
+            return;
+        }
+        let top = below + 0.25 * LINE;
         let corners = [[left, top], [left + 900.0, top + 32.0]];
         let ends = [-self.scale, self.scale];
         let color = |angle: f64| diverging(angle / self.scale);
         draw_color_bar(drawing, corners, (ends, "fiber angle [deg]"), color);
+    }
+
+    fn legend_lines(&self) -> Vec<&'static str> {
+        let mut lines = vec![
+            "arrow: wall direction s, at the plane angle from +y",
+            "pole: wall normal n = x cross s, x toward the reader",
+        ];
+        if self.materials.is_some() {
+            lines.push("all fibers run along the beam (fiber angle 0); color: material");
+            return lines;
+        }
+        lines.push("color: fiber angle, from x toward s; at 0 the fiber runs along the beam");
+        let mut cells = 0..self.section.cells.len();
+        if cells.any(|cell| !self.section.has_directions(cell)) {
+            lines.push("white: isotropic cells");
+        }
+        lines
     }
 }
 

@@ -126,17 +126,19 @@ impl LayupStrip {
 }
 
 impl Ply {
-    /// `3: 45 deg, 0.127 mm, graphite`.
+    /// `3: 45 deg, 0.127 mm, graphite`; without angle if the material has no directions.
     fn words(&self, section: &Section, unit: &PlotUnit, number: usize) -> String {
         let made = &section.cells[self.cell];
-        let angle = tick_label(rounded(made.fiber_angle.to_degrees()), 90.0);
+        let angle = if section.has_directions(self.cell) {
+            let degrees = rounded(made.fiber_angle.to_degrees());
+            format!("{} deg, ", tick_label(degrees, 90.0))
+        } else {
+            String::new()
+        };
         let thickness = tick_label(rounded(self.thickness / unit.meters), 0.0);
         let material = section.materials.get(made.material);
         let material = material.map_or("", |material| &material.name);
-        format!(
-            "{number}: {angle} deg, {thickness} {}, {material}",
-            unit.name
-        )
+        format!("{number}: {angle}{thickness} {}, {material}", unit.name)
     }
 }
 

@@ -1,11 +1,12 @@
 //! The mesh in the colors of its materials, with the centers of the section.
 
 use shared_geom::figure::{
-    Anchor, BLACK, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, category, tick_label,
+    Anchor, BLACK, Color, Drawing, Figure, INK, Label, SMALL, WHITE, WIDTH, tick_label,
 };
 
 use super::cell_colors::fill_cells;
-use super::figure_parts::{BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, boxed, draw_title};
+use super::figure_parts::{BELOW, HIGHEST, LEFT, RIGHT, SPARED, THINNEST, TOP, draw_title};
+use super::material_colors::MaterialColors;
 use super::outline::{Outline, Side, SideRole, side_points};
 use super::plane::{Extent, Plane, PlotUnit};
 use super::text::rounded;
@@ -23,8 +24,6 @@ const REACH: f64 = 1.0;
 const SHADE: f64 = 0.62;
 /// Width of the white rim of a mark [figure pixels].
 const RIM: f64 = 2.25;
-/// Maximum number of materials in the legend.
-const NAMES: usize = 12;
 
 /// The figure of a mesh.
 #[derive(Debug)]
@@ -36,10 +35,7 @@ pub struct MeshPlot<'a> {
     plane: Plane,
     sides: &'a [Side],
     marks: Vec<Mark>,
-    /// Color index of each material; materials of no cell have none.
-    color_of: Vec<usize>,
-    /// Number of materials used by cells.
-    colors: usize,
+    colors: MaterialColors,
     /// Width of the walls on the figure [figure pixels].
     wall: f64,
     /// Width of the cells on the figure [figure pixels].
@@ -83,7 +79,6 @@ impl<'a> MeshPlot<'a> {
         }
         let space = [f64::from(WIDTH) - LEFT - RIGHT, HIGHEST];
         let plane = Plane::fitted(extent.grown(0.05 * size), [LEFT, TOP], space);
-        let (color_of, colors) = colors(section);
         Self {
             section,
             unit: PlotUnit::of(summary, size),
@@ -93,25 +88,8 @@ impl<'a> MeshPlot<'a> {
             plane,
             sides: &outline.sides,
             marks,
-            color_of,
-            colors,
+            colors: MaterialColors::new(section),
         }
-    }
-
-    /// Names of the materials used by cells, in the order of their colors.
-    fn legend_names(&self) -> Vec<String> {
-        let mut names = vec![String::new(); self.colors];
-        for (material, &color) in self.section.materials.iter().zip(&self.color_of) {
-            if color < self.colors {
-                names[color] = material.name.clone();
-            }
-        }
-        if names.len() > NAMES {
-            let more = names.len() - NAMES + 1;
-            names.truncate(NAMES - 1);
-            names.push(format!("and {more} more materials"));
-        }
-        names
     }
 
     fn draw_title(&self, drawing: &mut Drawing) {
@@ -145,7 +123,7 @@ impl<'a> MeshPlot<'a> {
     fn draw_cells(&self, drawing: &mut Drawing) {
         let section = self.section;
         let position = |node: u32| self.plane.position(section.mesh.nodes[node as usize]);
-        let color = |cell: usize| category(self.color_of[section.cells[cell].material]);
+        let color = |cell: usize| self.colors.of(section.cells[cell].material);
         let is_thin = self.wall < THINNEST;
         fill_cells(drawing, (section, self.sides), &position, color, is_thin);
         if is_thin {
@@ -157,7 +135,7 @@ impl<'a> MeshPlot<'a> {
                 SideRole::Interface if self.wall > 40.0 => (2.0, INK),
                 SideRole::Boundary | SideRole::Interface => (1.6, INK),
                 SideRole::Inner(_) if self.cell < NARROWEST => continue,
-                SideRole::Inner(material) => (1.2, shaded(category(self.color_of[material]))),
+                SideRole::Inner(material) => (1.2, shaded(self.colors.of(material))),
             };
             drawing.line(
                 &side_points(side.ends, side.middle, &position),
@@ -183,20 +161,8 @@ impl<'a> MeshPlot<'a> {
         let top = TOP + self.plane.frame[1] + BELOW + 0.5 * LINE;
         let label = Label::new(SMALL).colored(INK);
         let second = 0.42 * f64::from(WIDTH);
-        for (row, name) in self.legend_names().iter().enumerate() {
-            let y = top + LINE * row as f64;
-            if row < NAMES - 1 || self.colors <= NAMES {
-                let corners = boxed([LEFT, y - 18.0], [LEFT + 56.0, y + 18.0]);
-                drawing.polygon(&corners, category(row));
-                drawing.outline(&corners, 2.0, INK);
-            }
-            let space = second - LEFT - 110.0;
-            drawing.text(
-                &drawing.shortened(name, label, space),
-                [LEFT + 76.0, y],
-                label,
-            );
-        }
+        let rows = (LINE, second - LEFT - 34.0);
+        self.colors.draw(drawing, [LEFT, top], rows);
         for (row, mark) in self.marks.iter().enumerate() {
             let y = top + LINE * row as f64;
             mark.shape.draw_in_legend(drawing, [second, y]);
@@ -214,7 +180,7 @@ impl<'a> MeshPlot<'a> {
 
 impl Figure for MeshPlot<'_> {
     fn size(&self) -> (u32, u32) {
-        let rows = self.legend_names().len().max(self.marks.len()) as f64;
+        let rows = self.colors.rows().max(self.marks.len()) as f64;
         let height = TOP + self.plane.frame[1] + BELOW + LINE * rows + 0.5 * LINE;
         (WIDTH, height.ceil() as u32)
     }
@@ -280,22 +246,6 @@ impl Shape {
 fn strokes(rim: f64) -> impl Iterator<Item = (f64, Color)> {
     let below = (rim > 0.0).then_some((3.5 + 2.0 * rim, WHITE));
     below.into_iter().chain([(3.5, BLACK)])
-}
-
-/// Color indices of the materials, in the order of the first cells that use them, and the
-/// number of colors.
-fn colors(section: &Section) -> (Vec<usize>, usize) {
-    let mut is_used = vec![false; section.materials.len()];
-    for made_of in &section.cells {
-        is_used[made_of.material] = true;
-    }
-    let mut next = 0;
-    let color_of = is_used.iter().map(|used| {
-        next += usize::from(*used);
-        if *used { next - 1 } else { usize::MAX }
-    });
-    let color_of: Vec<_> = color_of.collect();
-    (color_of, next)
 }
 
 fn shaded(Color(r, g, b): Color) -> Color {

@@ -57,28 +57,17 @@ pub(super) fn restrained_warping(
 
 /// Rows `quantity,value,unit` of the constants of restrained warping, as CSV.
 pub fn constants_csv(warping: &RestrainedWarping) -> String {
-    let row = |name: &str, value: f64, unit: &str| {
-        [name, &format!("{value:e}"), unit]
-            .map(str::to_owned)
-            .to_vec()
-    };
     let [y, z] = warping.center;
-    let mut rows = vec![
-        ["quantity", "value", "unit"].map(str::to_owned).to_vec(),
-        row("shear_flow_center_y", y, "m"),
-        row("shear_flow_center_z", z, "m"),
-        row("warping_stiffness", warping.stiffness, "N m^4"),
+    let mut columns = vec![
+        ("shear_flow_center_y [m]", y),
+        ("shear_flow_center_z [m]", z),
+        ("warping_stiffness [N m^4]", warping.stiffness),
     ];
-    rows.extend(
-        warping
-            .constant
-            .map(|gamma| row("warping_constant", gamma, "m^6")),
-    );
-    rows.push(row(
-        "torsional_stiffness",
-        warping.torsional_stiffness,
-        "N m^2",
-    ));
-    rows.push(row("decay_length", warping.decay_length, "m"));
-    csv(rows)
+    let constant = warping.constant;
+    columns.extend(constant.map(|gamma| ("warping_constant [m^6]", gamma)));
+    columns.push(("torsional_stiffness [N m^2]", warping.torsional_stiffness));
+    columns.push(("decay_length [m]", warping.decay_length));
+    let names = columns.iter().map(|(name, _)| (*name).to_owned());
+    let values = columns.iter().map(|(_, value)| format!("{value:e}"));
+    csv([names.collect(), values.collect()])
 }

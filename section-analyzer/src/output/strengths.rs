@@ -51,9 +51,14 @@ fn of_strain(limit: &StrainLimit) -> String {
 
 fn of_slopes(slopes: Option<Slopes>) -> String {
     slopes.map_or_else(String::new, |slopes| {
-        let mut values = vec![slopes.fiber, slopes.matrix];
+        let key = if slopes.fiber.is_some() {
+            "m"
+        } else {
+            "m_matrix"
+        };
+        let mut values: Vec<f64> = slopes.fiber.into_iter().chain([slopes.matrix]).collect();
         values.dedup();
-        format!("; m {}", listed(&values, (1.0, "")))
+        format!("; {key} {}", listed(&values, (1.0, "")))
     })
 }
 
@@ -114,7 +119,7 @@ mod tests {
                 }),
                 strain: None,
                 fatigue: Fatigue {
-                    stress: slopes(10.0, 8.0),
+                    stress: slopes(Some(10.0), 8.0),
                     strain: None,
                 },
             },
@@ -127,7 +132,7 @@ mod tests {
                 })),
                 fatigue: Fatigue {
                     stress: None,
-                    strain: slopes(4.5, 4.5),
+                    strain: slopes(Some(4.5), 4.5),
                 },
             },
         ];

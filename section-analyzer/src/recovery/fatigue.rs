@@ -12,7 +12,8 @@
 //!
 //! Components are counted in the order of these bounds, as long as a bound is larger than the damage
 //! that has been found, or one is at least one with the loads times the smallest reserve factor
-//! that has been found: the others have no effect on the result.
+//! that has been found: the others have no effect on the result. A reserve factor is computed
+//! only if the damage with the smallest one that has been found is above one.
 
 use std::collections::BTreeMap;
 
@@ -165,8 +166,14 @@ struct Worst<'a> {
     candidate: Candidate<'a>,
     cycles: Vec<Cycle>,
     damage: f64,
-    own_factor: f64,
     least_factor: f64,
+}
+
+impl Worst<'_> {
+    /// Its own reserve factor.
+    fn own_factor(&self) -> f64 {
+        self.candidate.life.reserve_factor(&self.cycles)
+    }
 }
 
 /// The largest damage of each region whose material has slopes of S-N lines, over all integration
@@ -234,21 +241,27 @@ fn worst<'a>(mut candidates: Vec<Candidate<'a>>, histories: &[LoadHistory]) -> O
         let row = candidate.component.row(candidate.point);
         let cycles = LoadHistory::cycles_and_means(histories, &row);
         let damage = candidate.life.damage(&cycles);
-        let own_factor = candidate.life.reserve_factor(&cycles);
-        let least_factor = least.min(own_factor);
+        let is_below = least.is_infinite()
+            || candidate.may_be_below(least) && candidate.life.is_below(&cycles, least);
+        let least_factor = if is_below {
+            least.min(candidate.life.reserve_factor(&cycles))
+        } else {
+            least
+        };
+        let found = Worst {
+            candidate,
+            cycles,
+            damage,
+            least_factor,
+        };
         match &mut best {
-            Some(best) if damage < known || (damage == known && own_factor >= best.own_factor) => {
+            Some(best)
+                if damage < known
+                    || (damage == known && found.own_factor() >= best.own_factor()) =>
+            {
                 best.least_factor = least_factor;
             }
-            _ => {
-                best = Some(Worst {
-                    candidate,
-                    cycles,
-                    damage,
-                    own_factor,
-                    least_factor,
-                });
-            }
+            _ => best = Some(found),
         }
     }
     best
@@ -287,7 +300,12 @@ fn reported(group: usize, worst: &Worst<'_>, section: &Section) -> RegionDamage 
 fn measures(limits: &MaterialLimits) -> Vec<(Component, ConstantLife)> {
     let mut found = Vec::new();
     let mut add = |is_strain: bool, limits: DirectionalLimits, slopes: Slopes| {
-        found.extend((0..6).map(|index| {
+        found.extend((0..6).filter_map(|index| {
+            let slope = if index == 0 {
+                slopes.fiber?
+            } else {
+                slopes.matrix
+            };
             let [tension, compression] = match index {
                 0..3 => [limits.tension[index], limits.compression[index]],
                 _ => [limits.shear[index - 3]; 2],
@@ -295,13 +313,9 @@ fn measures(limits: &MaterialLimits) -> Vec<(Component, ConstantLife)> {
             let life = ConstantLife {
                 tension,
                 compression,
-                slope: if index == 0 {
-                    slopes.fiber
-                } else {
-                    slopes.matrix
-                },
+                slope,
             };
-            (Component { is_strain, index }, life)
+            Some((Component { is_strain, index }, life))
         }));
     };
     let uniform = |limits: &UniformLimits| DirectionalLimits {

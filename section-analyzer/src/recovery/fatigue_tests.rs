@@ -33,7 +33,7 @@ fn metal(section: &Section) -> Vec<MaterialLimits> {
         shear: 200e6,
     });
     let slopes = Slopes {
-        fiber: 5.0,
+        fiber: Some(5.0),
         matrix: 5.0,
     };
     let one = MaterialLimits {
@@ -131,7 +131,7 @@ fn the_bounds_leave_out_nothing_that_governs() {
         shear: [2.0 * size, 3.0 * size, 4.0 * size],
     };
     let slopes = Slopes {
-        fiber: 10.0,
+        fiber: Some(10.0),
         matrix: 7.0,
     };
     let ply = MaterialLimits {
@@ -206,11 +206,8 @@ fn forces_without_cycles_and_without_occurrence() {
     assert!((factor / 0.6 - 1.0).abs() < 1e-9, "{factor}");
 }
 
-/// Two components with slopes of 20 and 2: the one with the larger damage has the larger factor.
-#[test]
-fn the_factor_is_the_smallest_of_all_components() {
-    let section = bar();
-    let points = points(&section);
+/// A ply of 100 MPa in every direction, with the slope 2 across the fiber.
+fn ply(fiber: Option<f64>) -> MaterialLimits {
     let strength = Strength::Ply {
         limits: DirectionalLimits {
             tension: [100e6; 3],
@@ -219,19 +216,23 @@ fn the_factor_is_the_smallest_of_all_components() {
         },
         interaction: [DEFAULT_INTERACTION; 3],
     };
-    let slopes = Slopes {
-        fiber: 20.0,
-        matrix: 2.0,
-    };
-    let ply = MaterialLimits {
+    let slopes = Slopes { fiber, matrix: 2.0 };
+    MaterialLimits {
         strength: Some(strength),
         fatigue: Fatigue {
             stress: Some(slopes),
             strain: None,
         },
         ..MaterialLimits::default()
-    };
-    let limits = limits(&section, ply);
+    }
+}
+
+/// Two components with slopes of 20 and 2: the one with the larger damage has the larger factor.
+#[test]
+fn the_factor_is_the_smallest_of_all_components() {
+    let section = bar();
+    let points = points(&section);
+    let limits = limits(&section, ply(Some(20.0)));
     let both = |axial: f64, torsion: f64| LoadHistory {
         forces: [1.0, -1.0, 1.0, -1.0, 1.0]
             .map(|sign| sign * Vector6::new(axial, 0.0, 0.0, torsion, 0.0, 0.0))
@@ -253,4 +254,10 @@ fn the_factor_is_the_smallest_of_all_components() {
     assert!(torsion.damage > axial.damage && torsion.reserve_factor > axial.reserve_factor);
     assert!((together.damage / torsion.damage - 1.0).abs() < 1e-9);
     assert!((together.reserve_factor / axial.reserve_factor - 1.0).abs() < 1e-9);
+    // without a slope along the fiber its stress has no damage
+    let across = self::limits(&section, ply(None));
+    let loads = [both(128e6, 11e6)];
+    let found = most(&region_damages(&section, &across, &points, &loads));
+    assert!(found.component.index != 0);
+    assert!((found.reserve_factor / torsion.reserve_factor - 1.0).abs() < 1e-9);
 }

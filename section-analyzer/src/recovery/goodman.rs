@@ -57,6 +57,17 @@ impl ConstantLife {
         counted.fold(0.0, |sum, cycle| sum + damage(cycle))
     }
 
+    /// Whether the factor on all loads at which the damage is one is less than `factor`.
+    pub fn is_below(&self, cycles: &[Cycle], factor: f64) -> bool {
+        let mut damage = 0.0;
+        let mut counted = cycles.iter().filter(|cycle| cycle.count > 0.0);
+        counted.any(|cycle| {
+            let ratio = self.ratio(factor * cycle.range, factor * cycle.mean);
+            damage += cycle.count * ratio.powf(self.slope);
+            damage > 1.0
+        })
+    }
+
     /// The factor on all loads at which the damage is one \[-\]; infinite without cycles. A cycle
     /// without range has the factor at which its mean reaches a strength.
     pub fn reserve_factor(&self, cycles: &[Cycle]) -> f64 {
@@ -133,6 +144,21 @@ mod tests {
 
     fn cycle(count: f64, range: f64, mean: f64) -> Cycle {
         Cycle { range, mean, count }
+    }
+
+    /// A factor is below another one if the damage with that one is above one; cycles without
+    /// range count by their mean.
+    #[test]
+    fn factors_are_compared_without_being_computed() {
+        for cycles in [
+            vec![cycle(50.0, 300.0, 100.0), cycle(3.0, 500.0, -80.0)],
+            vec![cycle(1.0, 0.0, 250.0)],
+        ] {
+            let factor = PLY.reserve_factor(&cycles);
+            assert!(PLY.is_below(&cycles, 1.000_001 * factor));
+            assert!(!PLY.is_below(&cycles, 0.999_999 * factor));
+        }
+        assert!(!PLY.is_below(&[], 1e9));
     }
 
     /// By hand: about 200, the middle of both strengths, the amplitude is 800; about 600 and about

@@ -174,14 +174,14 @@ fn what_does_not_fit_is_reported_where_it_is_written() {
         &[(skin, "thickness = 9")],
         &[
             "error: a.blade.toml:10: the plies are 9 thick at x/c = ",
-            "  help: a thinner skin, or an airfoil with a rounder nose",
+            "  help: plies of [skin] less than 7.27 thick together, by \"thickness\" or \"count\"; no [skin], but [core.aft] up to the contour",
         ],
     );
     is_refused(
         &[("thickness = 1.5", "thickness = 22")],
         &[
             "error: a.blade.toml:15: the plies of both surfaces intersect at x/c = ",
-            "  help: thinner plies, or plies that end ahead of it",
+            "  help: the plies of both surfaces together less than ",
         ],
     );
     is_refused(

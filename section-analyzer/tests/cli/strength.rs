@@ -111,6 +111,12 @@ fn loads_along_the_blade_are_those_of_single_recoveries() {
     assert!(run.out.contains("Critical: ply \""), "{}", run.out);
     stresses_are_those_of_single_recoveries(&workplace, &found[0]);
     assert!(!workplace.path("b/a.fatigue.csv").exists());
+    // the table of stations is found beside the blade
+    let table = workplace.read("b/a.strength.csv");
+    let by_blade = ["strength", "b/a.blade.json", "--loads", "loads.csv"];
+    let again = workplace.run(&by_blade);
+    assert_eq!((again.code, again.err.as_str()), (0, ""));
+    assert_eq!(workplace.read("b/a.strength.csv"), table);
 }
 
 /// The stresses of a row equal the ones of `stress` at its position, whose table has six digits.

@@ -287,3 +287,56 @@ fn a_quiet_run_prints_problems_only() {
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert!(run.err.contains("has no load case"), "{}", run.err);
 }
+
+/// Warnings are a part of the report; without a report they are on the error stream, of the
+/// results of an earlier run too.
+#[test]
+fn a_quiet_run_hides_no_warning() {
+    let workplace = Workplace::with(&[("fiber_angle = 0", "fiber_angle = 45")], &[]);
+    let warning = "warning: a.section.toml: region \"web\" has a fiber angle, but its material \
+                   \"steel\" is isotropic: the angle does not change its stiffness\n";
+    for command in [
+        &["check"][..],
+        &["analyze", "--no-figures"],
+        &["analyze", "--no-figures"],
+    ] {
+        let run = workplace.run(&[command, &["a.section.toml", "-q"]].concat());
+        let found = (run.code, run.out.as_str(), run.err.as_str());
+        assert_eq!(found, (0, "", warning), "{command:?}");
+    }
+    workplace.write("b.section.toml", &workplace.read("a.section.toml"));
+    let many = [
+        "analyze",
+        "a.section.toml",
+        "b.section.toml",
+        "--no-figures",
+    ];
+    let run = workplace.run(&[&many[..], &["-q"]].concat());
+    let both = warning.replace("a.section.toml", "a.section.toml, b.section.toml");
+    let found = (run.code, run.out.as_str(), run.err.as_str());
+    assert_eq!(found, (0, "", both.as_str()));
+    let run = workplace.run(&many);
+    assert_eq!(run.err, "");
+    assert!(run.out.contains("  1 warning\n"), "{}", run.out);
+}
+
+/// The figures of a check are the ones that the options request; others are removed.
+#[test]
+fn a_check_draws_the_requested_figures() {
+    let workplace = Workplace::with(&[], &[]);
+    let is_there = |file: &str| workplace.path("o").join(file).exists();
+    let check = |more: &[&str]| {
+        let run = workplace.run(&[&["check", "a.section.toml", "--out", "o"], more].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        run.out
+    };
+    assert!(check(&["--svg"]).ends_with("Written\n  o/a.mesh.png\n  o/a.mesh.svg\n"));
+    assert!(is_there("a.mesh.png") && is_there("a.mesh.svg"));
+    check(&[]);
+    assert!(is_there("a.mesh.png") && !is_there("a.mesh.svg"));
+    assert!(check(&["--no-figures"]).ends_with("No problem found\n"));
+    assert!(!is_there("a.mesh.png"));
+    let run = workplace.run(&["check", "a.section.toml", "--svg"]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("--out <DIR>"), "{}", run.err);
+}

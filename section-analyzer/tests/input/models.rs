@@ -337,7 +337,7 @@ fn models_of_becas_are_meshes_of_section_files() {
     assert_eq!(run(&words.each_ref()).0, 0);
     let [expected, _] = matrices(&file);
     let text = std::fs::read_to_string(&file).unwrap();
-    for mesh in ["becas", "becas/N2D.in"] {
+    for mesh in ["becas", "becas/N2D.in", "becas/EMAT.in"] {
         let text = text.replace("\"made.msh\"", &format!("{mesh:?}"));
         assert!(text.contains(mesh));
         std::fs::write(&file, text).unwrap();

@@ -181,7 +181,8 @@ impl Explain for BladeProblem {
                     ..
                 } => Some(
                     "a section without shear stiffness: --rigid-shear, or rigid_shear = true in \
-                     [[blade]], makes the blade rigid in shear"
+                     [[blade]], makes the blade rigid in shear; it changes only stations whose \
+                     shear rows are zero throughout, and whose bending stiffness is not"
                         .to_owned(),
                 ),
                 PropertyProblem::Indefinite { .. } => Some(SIGNS.to_owned()),

@@ -34,12 +34,12 @@ const PLASTIC_MODULUS: f64 = 10e9;
 /// Largest radius of gyration of a solid plastic blade, a chord of 0.4 m [m]. Larger
 /// blades are hollow.
 const PLASTIC_RADIUS: f64 = 0.12;
-/// Gravity in the units of tables, the unit of length [m] if only that one fits, and the
-/// unit of the weights.
-const GRAVITY: [(f64, Option<f64>, &str); 3] = [
-    (9.80665, None, "N/m"),
-    (32.174_048_556_430_45, None, "lbf/ft with slugs"),
-    (386.088_582_677_165_4, Some(0.0254), "lbf/in with inches"),
+/// Gravity in the units of tables, their unit of length [m], and the unit of the weights.
+const GRAVITY: [(f64, f64, &str); 4] = [
+    (9.80665, 1.0, "N/m"),
+    (9806.65, 1e-3, "N/mm with millimeters and tonnes"),
+    (32.174_048_556_430_45, 0.3048, "lbf/ft with slugs"),
+    (386.088_582_677_165_4, 0.0254, "lbf/in with inches"),
 ];
 /// A weight is reported if gravity and the factor to the usual speed of sound differ by at
 /// most this factor.
@@ -250,24 +250,23 @@ fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
     if speed >= SLOW {
         return None;
     }
-    let fits = |other: Option<f64>| match (unit, other) {
-        (Some(unit), Some(other)) => (unit / other - 1.0).abs() < 1e-9,
-        _ => true,
-    };
     // Factor by which the mass is too large.
     let excess = USUAL * USUAL / square;
-    let distance = |factor: f64| (excess / factor).ln().abs();
-    let known = GRAVITY.iter().filter(|known| fits(known.1));
-    let nearest = known.min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
-    let Some((factor, _, weight)) = nearest.filter(|known| distance(known.0) < NEAR.ln()) else {
+    let is_unit = |known: f64| unit.is_none_or(|unit| (unit / known - 1.0).abs() < 1e-9);
+    let fits = GRAVITY
+        .iter()
+        .filter(|(factor, length, _)| is_unit(*length) && (excess / factor).ln().abs() < NEAR.ln());
+    let weights = fits.map(|(factor, _, weight)| format!("({weight}), {factor:.5} times the mass"));
+    let weights: Vec<_> = weights.collect();
+    if weights.is_empty() {
         return Some(format!(
             "{implied}, steel weighs 7850: the units of length, force and mass do not fit each \
              other"
         ));
-    };
+    }
     Some(format!(
-        "{implied}, steel weighs 7850: the mass looks like a weight ({weight}), {factor:.5} \
-         times the mass; divide it by {factor:.5}, or declare the unit of mass that weighs one \
-         unit of force (lb for lbf)"
+        "{implied}, steel weighs 7850: the mass looks like a weight {}; divide it by this factor, \
+         or declare the unit of mass that weighs one unit of force (lb for lbf)",
+        weights.join(", or ")
     ))
 }

@@ -98,6 +98,23 @@ impl<'a> Item<'a> {
         }
     }
 
+    /// Rows of two numbers, each row with its line, as `expected` describes them.
+    pub fn pairs(&self, expected: &str) -> Option<Vec<(usize, [f64; 2])>> {
+        let Some(items) = self.list() else {
+            return self.wrong(expected);
+        };
+        let row = |item: &Item<'_>| match item.list().as_deref() {
+            Some([x, y]) => {
+                let pair = [x, y].map(|number| number.quantity(Dimension::NUMBER));
+                Some((item.line(), [pair[0]?, pair[1]?]))
+            }
+            _ => item.wrong(expected),
+        };
+        // All rows are read, so that each problem is noted.
+        let rows: Vec<_> = items.iter().map(row).collect();
+        rows.into_iter().collect()
+    }
+
     /// The quantity in SI units: a plain number and the value of an expression are in the
     /// declared unit, a text such as `"0.063 in"` is in its own.
     pub fn quantity(&self, dimension: Dimension) -> Option<f64> {

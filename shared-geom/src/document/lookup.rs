@@ -6,11 +6,12 @@
 
 use super::schema::ValueKind::{Lines, Numbers, Text, Texts};
 use super::tree::Entry;
-use super::{ByHand, Document, DocumentProblem, Item, Table, read_text};
+use super::{ByHand, Document, DocumentProblem, Table, read_text};
 use crate::error::{Diagnostics, SourceLocation, quoted};
 use crate::keys;
-use crate::units::Dimension;
 
+/// Description of the rows in the table.
+const PAIRS: &str = "rows of two numbers, as in [[3, 6.97], [11, 11.89]]";
 /// Number of wrong rows of a file that are listed.
 const SHOWN: usize = 10;
 
@@ -71,7 +72,10 @@ pub(super) fn read(
     let (of, file) = (table.get(&OF), table.get(&FILE)?);
     let rows = match (file, table.has(&ROWS)) {
         (Some(file), false) => from_file(&table, &file),
-        (None, true) => in_place(&table).map(|rows| (None, rows)),
+        (None, true) => {
+            let rows = table.item(&ROWS).and_then(|item| item.pairs(PAIRS));
+            rows.map(|rows| (None, rows))
+        }
         (file, _) => {
             let _ = table.has(&COLUMNS);
             let found = file.map_or("neither", |_| "both");
@@ -118,25 +122,6 @@ fn wrong(key: &str, found: String, expected: String) -> DocumentProblem {
         found,
         expected,
     }
-}
-
-/// The rows in the table.
-fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
-    const EXPECTED: &str = "rows of two numbers, as in [[3, 6.97], [11, 11.89]]";
-    let item = table.item(&ROWS)?;
-    let Some(items) = item.list() else {
-        return item.wrong(EXPECTED);
-    };
-    let row = |item: &Item<'_>| match item.list().as_deref() {
-        Some([x, y]) => {
-            let pair = [x, y].map(|number| number.quantity(Dimension::NUMBER));
-            Some((item.line(), [pair[0]?, pair[1]?]))
-        }
-        _ => item.wrong(EXPECTED),
-    };
-    // All rows are read, so that each problem is noted.
-    let rows: Vec<_> = items.iter().map(row).collect();
-    rows.into_iter().collect()
 }
 
 /// The two columns of a file.

@@ -12,15 +12,16 @@
 //! # damping: none
 //! # stations: 2
 //! table,line
-//! x,y,z,twist
+//! x [m],y [m],z [m],twist [rad]
 //! 0.0,...
 //! table,stations
-//! s,K11,K12,...,K66,M11,...,M66
+//! s [m],K11 [N],K12 [N],...,K66 [N m^2],M11 [kg/m],...,M66 [kg m]
 //! 0.0,...
 //! ```
 //!
 //! `stations` may be replaced by `sections`, arc lengths and the names of section files
-//! (VABS output, property files of section-analyzer); a file of a line alone has neither.
+//! (VABS output, property files of section-analyzer); a file of a line alone has neither. Columns
+//! may be written without their units.
 //! The frame may be any [`Convention`]; the line is always in Helicoid's root axes.
 
 use std::path::Path;

@@ -202,10 +202,12 @@ fn a_table_that_does_not_state_what_it_means_is_refused() {
 
 #[test]
 fn a_table_with_other_columns_or_order_is_refused() {
-    let messages = refused(Format::Csv, 0, |text| text.replace("K12,K13", "K13,K12"));
+    let messages = refused(Format::Csv, 0, |text| {
+        text.replace("K12 [N],K13 [N]", "K13 [N],K12 [N]")
+    });
     assert_says(
         &messages,
-        "43, of which number 3 is \"K13\", expected 43, with \"K12\" there",
+        "43, of which number 3 is \"K13 [N]\", expected 43, with \"K12 [N]\" there",
     );
     let messages = refused(Format::Csv, 0, |text| {
         let rows = text.lines().count();

@@ -24,9 +24,11 @@ use super::{Options, Reading, Writing};
 use crate::blade::Blade;
 use crate::error::Diagnostics;
 
+mod anchors;
 mod assemble;
 mod block;
 pub mod fields;
+mod flow;
 mod into;
 mod mass;
 mod version1;

@@ -46,7 +46,8 @@ fn other_formats_are_refused_with_the_way_out() {
     assert_says(&refused("").to_string(), "the file is empty");
     assert_says(
         &refused("$NOD\n1\n1 0 0 0\n$ENDNOD\n").to_string(),
-        "no gmsh mesh",
+        "this is no mesh of gmsh (no section \"$MeshFormat\"), Abaqus (the name does not end in \
+         \".inp\"), VTK or VABS",
     );
 }
 

@@ -12,9 +12,12 @@ pub(super) enum ReadProblem {
     Unreadable(String),
     #[error("the line holds bytes that are no UTF-8 text")]
     NotText,
-    #[error("the file is empty, expected a gmsh mesh")]
+    #[error("the file is empty, expected a mesh of gmsh, Abaqus, VTK or VABS")]
     Empty,
-    #[error("no section \"$MeshFormat\" found: this is no gmsh mesh of version 2 or later")]
+    #[error(
+        "this is no mesh of gmsh (no section \"$MeshFormat\"), Abaqus (the name does not end in \
+         \".inp\"), VTK or VABS"
+    )]
     NotGmsh,
     #[error("file type \"{0}\" found, expected 0 (ascii) or 1 (binary)")]
     FileType(String),
@@ -120,7 +123,8 @@ impl Explain for ReadProblem {
         let help = match self {
             Self::NotText => "save the file in UTF-8, or use plain letters in the group names",
             Self::NotGmsh => {
-                "in gmsh, save it as \"Version 4 ASCII\": gmsh FILE -save -format msh41 -o NEW.msh"
+                "in gmsh, save it as \"Version 4 ASCII\": gmsh FILE -save -format msh41 -o NEW.msh; \
+                 meshes of BECAS are given by their folder"
             }
             Self::FileType(_) | Self::NumberSize(_) | Self::ByteOrder(_) => {
                 "save it again with gmsh: gmsh FILE -save -format msh41 -o NEW.msh"

@@ -73,12 +73,16 @@ pub fn read_becas(files: [(&str, &str); 4]) -> Result<Model, Diagnostics> {
         raw.materials.insert(number, material(number, row)?);
         Ok(())
     });
-    let model = raw.finish(elements, layups);
+    let are_read = [&*nodes, elements, layups, materials]
+        .iter()
+        .all(|all| all.is_empty());
+    // rows that could not be read would be missed by other files
+    let model = are_read.then(|| raw.finish(elements, layups));
     let mut diagnostics = Diagnostics::new();
     for (problems, (file, _)) in problems.into_iter().zip(files) {
         diagnostics.keep(problems.into_result(file, ()));
     }
-    diagnostics.into_result(model)
+    diagnostics.into_result(model.unwrap_or_default())
 }
 
 /// A row of a material.

@@ -108,6 +108,11 @@ impl Problems {
         }
     }
 
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
     /// The value of a good result; the problem of a bad one is added.
     pub(super) fn keep<T>(&mut self, line: usize, result: Result<T, FileProblem>) -> Option<T> {
         result.map_err(|problem| self.push(line, problem)).ok()

@@ -656,6 +656,12 @@ fn problems_of_becas_are_reported_with_their_lines() {
         shown.contains("E2D.in:1: the file ends before the first row"),
         "{shown}"
     );
+    // of one empty table the layups that refer to it are no further problems
+    let mut files = becas_of(BECAS);
+    files[3].1 = "";
+    let shown = read_becas(files).unwrap_err().to_string();
+    assert!(shown.starts_with("error: MATPROPS.in:1: the file ends before"));
+    assert_eq!(shown.matches("error: ").count(), 1, "{shown}");
 }
 
 /// 300 values of all sizes are read with all their bits; an array that is missing is named, and

@@ -2,8 +2,9 @@
 //!
 //! A unit is a product of names with powers: `N m^2`, `N*m2`, `N·m²`, `N-m^2`, `kg/m3`,
 //! `kg m-3`. Names without a sign between them are a product only for the pairs that
-//! [`JOINED`] lists, `Nm` among them. A known name is never split: `mm` is a millimeter,
-//! `mN` a millinewton, and `Nms`, which may be `N m s` or `N ms`, is refused.
+//! [`JOINED`] lists, `Nm` among them; [`SPELLINGS`] are other spellings of names. A known name
+//! is never split: `mm` is a millimeter, `mN` a millinewton, and `Nms`, which may be `N m s` or
+//! `N ms`, is refused.
 
 use super::{Dimension, NAMES, Unit, UnitProblem};
 
@@ -16,6 +17,24 @@ const JOINED: [(&[&str], &[&str]); 4] = [
     (&["N", "kN", "MN", "mN"], &["s"]),
     (&["kg"], LENGTHS),
     (&["A", "mA", "V"], &["s"]),
+];
+
+/// Other spellings, each with the unit as text. No other unit has a name that differs from them in
+/// the size of letters alone: `mn` may be a millinewton or a meganewton, and is refused.
+const SPELLINGS: &[(&[&str], &str)] = &[
+    (&["GPA", "Gpa", "gpa"], "GPa"),
+    (&["MPA", "Mpa", "mpa"], "MPa"),
+    (&["KPA", "KPa", "Kpa", "kpa"], "kPa"),
+    (&["PA", "pa"], "Pa"),
+    (&["PSI", "Psi"], "psi"),
+    (&["KSI", "Ksi"], "ksi"),
+    (&["MSI", "msi"], "Msi"),
+    (&["KN"], "kN"),
+    (&["LBF", "Lbf"], "lbf"),
+    (&["KG", "Kg"], "kg"),
+    (&["lbs", "lbm"], "lb"),
+    (&["cc", "ccm"], "cm^3"),
+    (&["RPM"], "rpm"),
 ];
 
 /// Signs that separate the factors of a product.
@@ -187,8 +206,11 @@ fn plain(name: &str) -> String {
     plain
 }
 
-/// The simple unit of a name.
+/// The unit of a name, or of another spelling of it.
 fn simple(name: &str) -> Option<Unit> {
+    if let Some((_, unit)) = SPELLINGS.iter().find(|known| known.0.contains(&name)) {
+        return parse(unit).ok();
+    }
     let (_, dimension, factor) = *NAMES.iter().find(|unit| unit.0 == name)?;
     Some(Unit { dimension, factor })
 }
@@ -228,12 +250,17 @@ pub(super) fn products(name: &str) -> Vec<String> {
 
 /// Splits a quantity into its number and the text of its unit, between which spaces are
 /// optional; `None` if it does not begin with a number, or has no unit. `23e-6/K` is the
-/// number 23e-6 and the unit `1/K`.
+/// number 23e-6 and the unit `1/K`; `70 e9 Pa` and `70*10^9 Pa` have the number 70e9.
 pub(super) fn split_quantity(text: &str) -> Option<(f64, String)> {
     let text = text.trim();
     let end = number_end(text)?;
     let number: f64 = text[..end].parse().ok()?;
-    let (rest, is_apart) = (text[end..].trim_start(), text[end..].starts_with(' '));
+    let after = exponent(text[end..].trim_start()).filter(|_| !text[..end].contains(['e', 'E']));
+    let (number, rest) = match after {
+        Some((exponent, rest)) => (format!("{}e{exponent}", &text[..end]).parse().ok()?, rest),
+        None => (number, &text[end..]),
+    };
+    let (rest, is_apart) = (rest.trim_start(), rest.starts_with(' '));
     let unit = match rest.chars().next()? {
         '/' => format!("1{rest}"),
         '1' if is_apart => rest.to_owned(),
@@ -241,6 +268,36 @@ pub(super) fn split_quantity(text: &str) -> Option<(f64, String)> {
         _ => return None,
     };
     Some((number, unit))
+}
+
+/// The exponent at the start of a text after a number, and the text after it: `e9`, `*10^9`,
+/// `x 10^-3`, `×10⁹`; `None` for other texts.
+fn exponent(text: &str) -> Option<(i32, &str)> {
+    let is_plain = |at: char| at.is_ascii_digit();
+    let is_raised = |at: char| RAISED.contains(&at);
+    let (after, is_digit): (_, &dyn Fn(char) -> bool) = match text.strip_prefix(['e', 'E']) {
+        Some(after) => (after, &is_plain),
+        None => {
+            let ten = text
+                .strip_prefix('x')
+                .or_else(|| text.strip_prefix(TIMES))?;
+            let power = ten.trim_start().strip_prefix("10")?;
+            match power.strip_prefix('^') {
+                Some(after) => (after, &is_plain),
+                None => (power, &is_raised),
+            }
+        }
+    };
+    let unsigned = after.strip_prefix(MINUS);
+    let sign = if unsigned.is_some() { -1 } else { 1 };
+    let digits = unsigned.unwrap_or_else(|| after.strip_prefix('+').unwrap_or(after));
+    let end = digits.find(|at| !is_digit(at)).unwrap_or(digits.len());
+    let (digits, rest) = digits.split_at(end);
+    let size = digits.chars().try_fold(0_i32, |size, at| {
+        let next = size * 10 + i32::from(digit(at)?);
+        (next < 1000).then_some(next)
+    })?;
+    (!digits.is_empty()).then_some((sign * size, rest))
 }
 
 /// The end of the number at the start of a text; an exponent belongs to it only if it has
@@ -314,6 +371,13 @@ mod tests {
             ("°C", "degC"),
             ("1/°F", "1/degF"),
             ("rad s^-1", "rad/s"),
+            ("gpa", "GPa"),
+            ("mpa", "MPa"),
+            ("MSI", "Msi"),
+            ("g/cc", "g/cm^3"),
+            ("Kg/m3", "kg/m^3"),
+            ("lbs/in^3", "lb/in^3"),
+            ("KN/mm2", "kN/mm^2"),
         ] {
             assert_eq!(parse(short), parse(long), "{short}");
             assert!(parse(long).is_ok(), "{long}");
@@ -351,6 +415,18 @@ mod tests {
         assert_eq!(read(".5mm", Dimension::LENGTH), 0.5e-3);
         assert_eq!(read("23e-6/K", Dimension::EXPANSION), 23e-6);
         assert_eq!(read("23e-6 1/K", Dimension::EXPANSION), 23e-6);
+        assert_eq!(read("1.6 g/cc", Dimension::DENSITY), 1.6e3);
+        for text in [
+            "70 e9 Pa",
+            "70 E+9 Pa",
+            "70e9Pa",
+            "70*10^9 Pa",
+            "70 x 10^9 Pa",
+            "70×10⁹ Pa",
+        ] {
+            assert_eq!(read(text, Dimension::STRESS), 70e9, "{text}");
+        }
+        assert_eq!(read("23 x10^-6/K", Dimension::EXPANSION), 23e-6);
         assert_eq!(
             read("30°", Dimension::ANGLE),
             read("30 deg", Dimension::ANGLE)
@@ -394,8 +470,29 @@ mod tests {
             "unknown unit \"furlong\"; units of it: kg/m^3, g/cm^3, lb/in^3, slug/ft^3"
         );
         for bad in [
-            "1,5 kN", "5", "5 ", "kN", "5 kN^", "5 kN^1.5", "5 m2.5", "5 m^99", "5 --m", "5 m-",
-            "inf kN", "NaN kN", "5 2m", "5.", "e5 kN", "5 10kN", "5 m··m",
+            "1,5 kN",
+            "5",
+            "5 ",
+            "kN",
+            "5 kN^",
+            "5 kN^1.5",
+            "5 m2.5",
+            "5 m^99",
+            "5 --m",
+            "5 m-",
+            "inf kN",
+            "NaN kN",
+            "5 2m",
+            "5.",
+            "e5 kN",
+            "5 10kN",
+            "5 m··m",
+            "5 e Pa",
+            "5e3 e3 Pa",
+            "5*109 Pa",
+            "5*10 Pa",
+            "5 x 10^ Pa",
+            "5 e9999 Pa",
         ] {
             assert!(parse_any(bad).is_err(), "{bad}");
         }

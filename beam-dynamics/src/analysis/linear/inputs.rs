@@ -71,7 +71,7 @@ impl Augmented {
 
     /// Index among the unknowns that stay of an unknown of the system, or the number of the input that
     /// it is.
-    pub fn place(&self, unknown: usize) -> Result<usize, usize> {
+    pub fn index(&self, unknown: usize) -> Result<usize, usize> {
         let mut pairs = self.inputs.iter().zip(&self.degrees);
         let is_it = |(input, degree): (&usize, &usize)| *input == unknown && *degree == 0;
         match pairs.position(is_it) {
@@ -104,13 +104,13 @@ impl Augmented {
         let size = kept + doubled.count();
         let mut by_inputs = Mat::zeros(size, self.inputs.len());
         let [mut by_rates, mut by_unknowns] = [(); 2].map(|()| Mat::zeros(size, size));
-        let places: Vec<_> = (0..self.unknowns).map(|i| self.place(i)).collect();
+        let indices: Vec<_> = (0..self.unknowns).map(|i| self.index(i)).collect();
         let mut add = |from: &Sparse, to: &mut Mat<f64>| {
             for (row, column, value) in from.triplets() {
                 if row.max(column) >= self.unknowns || self.inputs.contains(&row) {
                     continue;
                 }
-                match (places[row], places[column]) {
+                match (indices[row], indices[column]) {
                     (Ok(row), Ok(column)) => to[(row, column)] += value,
                     (Ok(row), Err(input)) => by_inputs[(row, input)] += value,
                     _ => {}
@@ -122,7 +122,7 @@ impl Augmented {
         add(&tangent.by_rates, &mut by_rates);
         let mut next = kept;
         for (k, (input, degree)) in self.inputs.iter().zip(&self.degrees).enumerate() {
-            let Ok(mut last) = places[*input] else {
+            let Ok(mut last) = indices[*input] else {
                 continue;
             };
             by_rates[(last, last)] = 1.0;
@@ -174,8 +174,8 @@ mod tests {
             inputs: vec![3, 1],
             degrees: vec![2, 0],
         };
-        let places: Vec<_> = (0..5).map(|i| of.place(i)).collect();
-        assert_eq!(places, [Ok(0), Err(1), Ok(1), Ok(2), Ok(3)]);
+        let indices: Vec<_> = (0..5).map(|i| of.index(i)).collect();
+        assert_eq!(indices, [Ok(0), Err(1), Ok(1), Ok(2), Ok(3)]);
         let origins: Vec<_> = (0..4).map(|i| of.origin(i)).collect();
         assert_eq!(origins, [0, 2, 3, 4]);
         let integrals: Vec<_> = (0..5).map(|i| of.integral(i)).collect();

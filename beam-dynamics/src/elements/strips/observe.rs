@@ -43,14 +43,14 @@ impl AirStrip {
         let (radius, azimuth, tangent) = match &shaft {
             Some(shaft) => (
                 shaft.distance(&position).radius,
-                azimuth(&shaft.axis, &self.place.zero, &from_center),
+                azimuth(&shaft.axis, &self.location.zero, &from_center),
                 shaft.axis.cross(&from_center),
             ),
             None => (f64::NAN, f64::NAN, flow.axes.column(0).into_owned()),
         };
         let tangent = tangent.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         AirState {
-            place: Arc::clone(&self.place),
+            location: Arc::clone(&self.location),
             radius,
             azimuth,
             position,

@@ -30,7 +30,7 @@ use super::shaft::Shaft;
 use crate::elements::beams::{BeamGeometry, LinePoint};
 use crate::elements::{
     Element, Energetic, Energy, EnergySlope, Exchange, Local, LocalJacobian, LocalResidual, Motion,
-    Reports, Settling, Signal, StripPlace, Structure, has,
+    Reports, Settling, Signal, StripLocation, Structure, has,
 };
 use crate::model::{Node, NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart};
 
@@ -63,7 +63,7 @@ pub struct StripRotor {
 #[derive(Debug, Clone)]
 pub struct AirStrip {
     label: String,
-    pub(super) place: Arc<StripPlace>,
+    pub(super) location: Arc<StripLocation>,
     nodes: Vec<usize>,
     pub(super) mount: Mount,
     pub(super) length: f64,
@@ -157,7 +157,7 @@ impl AirStrip {
         let arms = undeformed.iter().map(|node| (start - node.position).norm());
         Self {
             label,
-            place: Arc::default(),
+            location: Arc::default(),
             nodes,
             arm: arms.fold(f64::INFINITY, f64::min),
             start,
@@ -177,9 +177,9 @@ impl AirStrip {
     }
 
     /// With its location in the model, for reports.
-    pub fn placed(self, place: StripPlace) -> Self {
+    pub fn placed(self, location: StripLocation) -> Self {
         Self {
-            place: Arc::new(place),
+            location: Arc::new(location),
             ..self
         }
     }

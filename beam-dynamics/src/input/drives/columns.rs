@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use shared_geom::document::{DocumentProblem, Item, Key, Table, read_text};
+use shared_geom::document::{DocumentProblem, Key, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::units::Dimension;
 
@@ -26,7 +26,10 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
             let (file, rows) = from_file(table, file, &COLUMNS, ["times", "values"])?;
             (Some(file), rows)
         }
-        (false, true) => (None, in_place(table)?),
+        (false, true) => {
+            let expected = "rows of a time and a value, as in [[0, 1], [2, 3]]";
+            (None, table.item(&ROWS)?.pairs(expected)?)
+        }
         (both, _) => {
             let _ = table.has(&COLUMNS);
             let found = if both { "both" } else { "none" };
@@ -60,26 +63,6 @@ pub(super) fn read(table: &Table<'_>, measure: Measure) -> Option<Drive> {
         }
     }
     None
-}
-
-fn in_place(table: &Table<'_>) -> Option<Vec<Row>> {
-    const EXPECTED: &str = "rows of a time and a value, as in [[0, 1], [2, 3]]";
-    let item = table.item(&ROWS)?;
-    let Some(items) = item.list() else {
-        return item.wrong(EXPECTED);
-    };
-    let row = |item: &Item<'_>| -> Option<Row> {
-        match item.list().as_deref() {
-            Some([time, value]) => {
-                let row = [time, value].map(|number| number.quantity(Dimension::NUMBER));
-                Some((item.line(), [row[0]?, row[1]?]))
-            }
-            _ => item.wrong(EXPECTED),
-        }
-    };
-    // All rows are read, so that each problem is noted.
-    let rows: Vec<_> = items.iter().map(row).collect();
-    rows.into_iter().collect()
 }
 
 /// The name of the file `written` under a key of the table, and the rows of two of its columns,

@@ -21,7 +21,7 @@ use shared_geom::units::Dimension;
 use super::rotor::{self, Rotor};
 use super::stations::{self, Between};
 use super::{
-    Along, FLAPS, INFLOW_NAME, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS, STATIONS,
+    FLAPS, INFLOW_NAME, LineAir, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS, STATIONS,
     StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams, point_at,
     strip_rotor, strips, unused,
 };
@@ -109,7 +109,7 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
     let (model, stations) = (SectionModel::of_word(SECTIONS.get(section?)?)?, stations?);
     let unused = unused::remark(&user, &model, stations.sections());
     builder.add_remarks(unused.into_iter().collect());
-    let air = Along {
+    let air = LineAir {
         stations,
         flaps: flaps?,
         model,
@@ -229,7 +229,7 @@ impl Line {
 
 /// Adds the strips of a line.
 fn add(
-    (air, axes): (&Along, &Matrix3<f64>),
+    (air, axes): (&LineAir, &Matrix3<f64>),
     (label, line): (&str, &Line),
     rotor: Option<&Rotor>,
     builder: &mut ModelBuilder,
@@ -271,7 +271,7 @@ fn add(
 
 /// The strips of a line on a node, with their positions \[m\].
 fn on_body(
-    (air, axes): (&Along, &Matrix3<f64>),
+    (air, axes): (&LineAir, &Matrix3<f64>),
     (label, node, [from, to]): (&str, usize, &[Vector3<f64>; 2]),
     (inflow, (rotor, still)): (&StripsInflow, (Option<&StripRotor>, &Arc<Air>)),
     builder: &ModelBuilder,

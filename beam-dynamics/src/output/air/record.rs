@@ -122,9 +122,10 @@ impl<'a> AirRecord<'a> {
             return Vec::new();
         };
         let mut names: Vec<&str> = Vec::new();
-        for place in last.states.iter().map(|state| &state.place) {
-            if place.rotor.as_deref() == Some(rotor) && !names.contains(&place.blade.as_str()) {
-                names.push(&place.blade);
+        for location in last.states.iter().map(|state| &state.location) {
+            if location.rotor.as_deref() == Some(rotor) && !names.contains(&location.blade.as_str())
+            {
+                names.push(&location.blade);
             }
         }
         let first = last.turned - TAU - ROUND_OFF;
@@ -133,7 +134,9 @@ impl<'a> AirRecord<'a> {
             let rows = self.rows.iter().skip(count.saturating_sub(1));
             let rows = rows.map(|row| {
                 let states = row.states.iter();
-                states.filter(|state| state.place.blade == name).collect()
+                states
+                    .filter(|state| state.location.blade == name)
+                    .collect()
             });
             rows.collect()
         };

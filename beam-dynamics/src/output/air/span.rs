@@ -28,13 +28,13 @@ const QUANTITIES: [Drawn; 4] = [
 pub(in crate::output) fn span_plot(title: &str, states: &[AirState]) -> Option<PanelPlot> {
     let mut names: Vec<&str> = Vec::new();
     for state in states {
-        if !names.contains(&state.place.blade.as_str()) {
-            names.push(&state.place.blade);
+        if !names.contains(&state.location.blade.as_str()) {
+            names.push(&state.location.blade);
         }
     }
     let panel = |(name, unit, quantity, factor): &Drawn| {
         let curve = |blade: &&str| {
-            let own = states.iter().filter(|state| state.place.blade == *blade);
+            let own = states.iter().filter(|state| state.location.blade == *blade);
             own.map(|state| [position(state), factor * quantity.of(state)])
                 .collect::<Vec<_>>()
         };
@@ -57,6 +57,6 @@ pub(in crate::output) fn span_plot(title: &str, states: &[AirState]) -> Option<P
 fn position(state: &AirState) -> f64 {
     match state.rotor {
         Some(_) => state.radius,
-        None => state.place.span,
+        None => state.location.span,
     }
 }

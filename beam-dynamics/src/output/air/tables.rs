@@ -33,7 +33,7 @@ const QUANTITIES: [(&str, StripQuantity, f64); 15] = [
     ("drag load [N/m]", StripQuantity::DragLoad, 1.0),
     ("moment load [N]", StripQuantity::MomentLoad, 1.0),
 ];
-const PLACE: &str = "rotor,blade,strip,span [m],radius [m],azimuth [deg],x [m],y [m],z [m]";
+const LOCATION: &str = "rotor,blade,strip,span [m],radius [m],azimuth [deg],x [m],y [m],z [m]";
 const SUMS: &str = "force x [N],force y [N],force z [N],moment x [N m],moment y [N m],\
     moment z [N m],rotor speed [rpm]";
 
@@ -52,17 +52,17 @@ pub(in crate::output) fn air_csv<'a>(
             row
         })
     });
-    csv_text(&format!("{lead},{PLACE},{quantities},{SUMS}"), rows)
+    csv_text(&format!("{lead},{LOCATION},{quantities},{SUMS}"), rows)
 }
 
 fn cells(state: &AirState) -> Vec<String> {
-    let place = &state.place;
+    let location = &state.location;
     let mut row = vec![
-        place.rotor.clone().unwrap_or_default(),
-        place.blade.clone(),
-        place.number.to_string(),
+        location.rotor.clone().unwrap_or_default(),
+        location.blade.clone(),
+        location.number.to_string(),
     ];
-    let mut values = vec![place.span, state.radius, state.azimuth * DEGREES];
+    let mut values = vec![location.span, state.radius, state.azimuth * DEGREES];
     values.extend(state.position.iter());
     values.extend(QUANTITIES.map(|(_, quantity, factor)| factor * quantity.of(state)));
     values.extend(state.force.iter().chain(&state.moment));

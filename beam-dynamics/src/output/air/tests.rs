@@ -9,7 +9,7 @@ use shared_geom::figure::Figure;
 
 use super::disk::{DiskPlot, Map};
 use super::{air_csv, rotor_text, span_plot};
-use crate::elements::{AirState, Definition, RotorAir, RotorMotion, RotorQuantity, StripPlace};
+use crate::elements::{AirState, Definition, RotorAir, RotorMotion, RotorQuantity, StripLocation};
 use crate::output::samples::texts;
 
 const RADIUS: f64 = 2.0;
@@ -22,11 +22,11 @@ fn strip(blade: &str, number: usize, azimuth: f64) -> AirState {
     let position = radius * Vector3::new(cos, sin, 0.0);
     let force = Vector3::new(2.0 * sin, -2.0 * cos, 10.0);
     AirState {
-        place: Arc::new(StripPlace {
+        location: Arc::new(StripLocation {
             blade: blade.to_owned(),
             number,
             span: radius,
-            ..StripPlace::default()
+            ..StripLocation::default()
         }),
         radius,
         azimuth,

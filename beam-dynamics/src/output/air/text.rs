@@ -48,7 +48,7 @@ pub(in crate::output) fn rotor_text(states: &[AirState]) -> String {
     for name in rotors(states) {
         let own = states
             .iter()
-            .filter(|state| state.place.rotor.as_deref() == Some(name));
+            .filter(|state| state.location.rotor.as_deref() == Some(name));
         let Some(rotor) = RotorAir::of(own) else {
             continue;
         };

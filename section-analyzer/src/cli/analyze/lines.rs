@@ -61,7 +61,7 @@ impl Lines {
                 line += &format!("{value:>NUMBER$.5e}");
             }
         }
-        match outcome.warnings {
+        match outcome.warnings.len() {
             0 => {}
             1 => line += "  1 warning",
             count => line += &format!("  {count} warnings"),

@@ -114,6 +114,8 @@ struct Listener<'a, 'b> {
     reported: usize,
     /// Problems that have been shown.
     known: BTreeSet<String>,
+    /// The sections of each warning, without a report.
+    warned: BTreeMap<String, Vec<String>>,
     /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
@@ -128,6 +130,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             waiting: BTreeMap::new(),
             reported: 0,
             known: BTreeSet::new(),
+            warned: BTreeMap::new(),
             closed: None,
         };
         let heading = listener.lines.heading();
@@ -145,11 +148,17 @@ impl<'a, 'b> Listener<'a, 'b> {
         }
         while let Some(outcome) = self.waiting.remove(&self.reported) {
             let line = self.lines.of(&self.jobs[self.reported], &outcome);
+            if self.terminal.is_quiet && !outcome.report.is_empty() {
+                for text in &outcome.warnings {
+                    let sections = self.warned.entry(text.clone()).or_default();
+                    sections.push(self.jobs[self.reported].label.clone());
+                }
+            }
             // sections may share a problem
-            let problems = outcome
-                .problems
+            let messages = outcome
+                .messages(&self.jobs[self.reported].label, false)
                 .filter(|text| self.known.insert(text.clone()));
-            self.show(&line, problems.as_deref());
+            self.show(&line, messages.as_deref());
             self.reported += 1;
         }
     }
@@ -174,8 +183,16 @@ impl<'a, 'b> Listener<'a, 'b> {
     /// Shows the totals.
     fn finish(mut self) -> Ended {
         self.progress.finish();
+        let warned = self.warned.iter();
+        let warned = warned.map(|(text, at)| format!("warning: {}: {text}", at.join(", ")));
+        let warned: Vec<_> = warned.collect();
         let sum = self.lines.sum();
-        self.show(&sum, None);
+        self.show(
+            &sum,
+            Some(warned.join("\n"))
+                .filter(|all| !all.is_empty())
+                .as_deref(),
+        );
         Ended {
             worst: self.lines.worst(),
             closed: self.closed,
@@ -211,6 +228,7 @@ mod tests {
         let mut terminal = Terminal {
             out: &mut out,
             err: &mut err,
+            is_quiet: false,
         };
         let jobs = jobs();
         let mut listener = Listener::new(&jobs, &mut terminal);
@@ -257,6 +275,7 @@ mod tests {
             let mut terminal = Terminal {
                 out: &mut Closed,
                 err: &mut err,
+                is_quiet: false,
             };
             let jobs = jobs();
             let mut listener = Listener::new(&jobs, &mut terminal);

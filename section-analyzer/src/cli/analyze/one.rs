@@ -16,7 +16,7 @@ use super::{Job, PROGRAM, Run};
 use crate::cli::figures::draw_section;
 use crate::cli::solved::Solved;
 use crate::cli::stress::Stresses;
-use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, words};
+use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, warnings_of, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
@@ -90,8 +90,8 @@ pub(in crate::cli) struct Outcome {
     pub nodes: Option<usize>,
     /// The result, if it exists.
     pub properties: Option<SectionProperties>,
-    /// Number of warnings about the input.
-    pub warnings: usize,
+    /// Warnings about the input, which the report contains too.
+    pub warnings: Vec<String>,
 }
 
 impl Outcome {
@@ -105,8 +105,18 @@ impl Outcome {
             problems: None,
             nodes: None,
             properties: None,
-            warnings: 0,
+            warnings: Vec::new(),
         }
+    }
+
+    /// The problems; the warnings too, about the section shown as `label`, if they are to be
+    /// reported or no report exists.
+    pub fn messages(&self, label: &str, with_warnings: bool) -> Option<String> {
+        let warnings = self.warnings.iter();
+        let warnings = warnings.filter(|_| with_warnings || self.report.is_empty());
+        let warnings = warnings.map(|text| format!("warning: {label}: {text}"));
+        let texts: Vec<_> = self.problems.iter().cloned().chain(warnings).collect();
+        (!texts.is_empty()).then(|| texts.join("\n"))
     }
 
     fn wrong_input(problems: String) -> Self {
@@ -176,16 +186,10 @@ fn analyze_checked(
     };
     let (outcome, solution) = unchanged.map_or_else(solve, |outcome| (outcome, None));
     removed.retain(|file| !file.exists());
-    let warnings = input.summary.warnings.iter().filter(|_| run.quiet);
-    let warnings: Vec<_> = warnings
-        .map(|warning| format!("warning: {}: {warning}", job.label))
-        .collect();
-    let unreported = (!warnings.is_empty()).then(|| warnings.join("\n"));
     let outcome = Outcome {
         removed,
-        problems: outcome.problems.or(unreported),
         nodes: Some(input.section.mesh.nodes.len()),
-        warnings: input.summary.warnings.len(),
+        warnings: warnings_of(input),
         ..outcome
     };
     (outcome, solution)
@@ -412,9 +416,6 @@ fn failed(job: &Job, input: &Input, failure: &Failure, mut results: ResultWriter
     }
     let location = SourceLocation::file(job.file.display().to_string());
     let mut problems = Diagnostics::one(location, failure).to_string();
-    for warning in &input.summary.warnings {
-        problems += &format!("\nwarning: {warning}");
-    }
     if let Err(problem) = written {
         problems = problems + "\n" + &words(&problem);
     }

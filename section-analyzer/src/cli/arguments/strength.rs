@@ -10,8 +10,8 @@ use super::analyze::count;
 pub(super) const STRENGTH: &str = "\
 Reserve factors and damage of all plies of a blade under many loads, and fatigue loads
 
-SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections. LOADS
-has internal forces along the blade, about its line and in section axes, names with units:
+SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections, or the
+blade NAME.blade.json beside it. LOADS has internal forces along the blade, about its line and in section axes, names with units:
   arc [m] or eta; any of case, time, step; axial [N], shear y [N], ..., bending z [N m]
                       a row for each position and instant, in any order, as \"beam-dynamics static\" writes
   time [s]; NAME_axial [N], ..., NAME_bending_z [N m]
@@ -57,7 +57,7 @@ fn positive(text: &str) -> Result<f64, &'static str> {
 /// A blade, its loads, and options.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct StrengthArguments {
-    /// Table of the stations of a blade, NAME.span.csv
+    /// Table of the stations of a blade, NAME.span.csv, or the blade beside it, NAME.blade.json
     pub span: PathBuf,
     /// Table of internal forces
     #[arg(long, value_name = "FILE")]

@@ -243,9 +243,10 @@ impl<'a> Resolver<'a> {
         // the place of the web of a spar is its aft face
         let along = self.layup.layers.iter();
         let mut along = along.filter(|layer| layer.web.as_ref().is_some_and(|of| of.0 == web.name));
-        let offset = match self.layup.is_of_spar(web) {
-            true => sum(&mut along) * sign.max(0.0),
-            false => 0.5 * sign * sum(&mut web.plies.iter()),
+        let offset = if self.layup.is_of_spar(web) {
+            sum(&mut along) * sign.max(0.0)
+        } else {
+            0.5 * sign * sum(&mut web.plies.iter())
         };
         let ahead = |p: [f64; 2]| {
             (p[0] - points[0][0]) * normal[0] + (p[1] - points[0][1]) * normal[1] > offset

@@ -163,6 +163,13 @@ fn a_weight_for_a_mass_is_remarked() {
         &text,
         &["the mass looks like a weight (N/m), 9.80665 times the mass"],
     );
+    // In meters it is no weight in pounds, although 32.174 is nearer to the usual ratio.
+    let heavier = text
+        .replace("m = 2.65", "m = 7")
+        .replace("iy = 1e-3", "iy = 2.7e-3");
+    let heavier = reported(&heavier.replace("iz = 4e-3", "iz = 1.1e-2"));
+    assert!(heavier.contains("(N/m), 9.80665 times"), "{heavier}");
+    assert!(!heavier.contains("lbf/"), "{heavier}");
     let folder = tempfile::tempdir().unwrap();
     let table = "s,A,w\n0,2.0,0.5\n10,2.0,0.5\n";
     let file = with_table(

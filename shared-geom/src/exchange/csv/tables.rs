@@ -27,14 +27,29 @@ pub(super) struct Tables<'a> {
 
 const NAMES: [&str; 3] = ["line", "stations", "sections"];
 
+/// Names of the columns of the line.
+pub(super) const LINE: [&str; 4] = ["x [m]", "y [m]", "z [m]", "twist [rad]"];
+/// Names of the columns of section files.
+pub(super) const SECTIONS: [&str; 2] = ["s [m]", "file"];
+
 /// Names of the columns of stations.
 pub(super) fn station_columns() -> Vec<String> {
     let pairs = || (1..=6).flat_map(|i| (i..=6).map(move |j| (i, j)));
-    let of = |letter: &'static str| pairs().map(move |(i, j)| format!("{letter}{i}{j}"));
-    std::iter::once("s".to_owned())
-        .chain(of("K"))
-        .chain(of("M"))
+    let of = |letter: &'static str, units: [&'static str; 3]| {
+        // of two forces, of a force and a moment, of two moments
+        let unit = move |i, j| units[usize::from(i > 3) + usize::from(j > 3)];
+        pairs().map(move |(i, j)| format!("{letter}{i}{j} [{}]", unit(i, j)))
+    };
+    std::iter::once(SECTIONS[0].to_owned())
+        .chain(of("K", ["N", "N m", "N m^2"]))
+        .chain(of("M", ["kg/m", "kg", "kg m"]))
         .collect()
+}
+
+/// Whether a column has a name, with or without its unit.
+fn is_named(found: &str, name: &str) -> bool {
+    let bare = name.split_once(" [").map_or(name, |(bare, _)| bare);
+    found == name || found == bare
 }
 
 impl<'a> Tables<'a> {
@@ -62,7 +77,7 @@ impl<'a> Tables<'a> {
 
     /// The line through its points.
     pub fn line(&self, course: Course, problems: &mut Problems) -> Option<ReferenceLine> {
-        let names = ["x", "y", "z", "twist"].map(str::to_owned);
+        let names = LINE.map(str::to_owned);
         let rows = body(&self.line, "line", &names, problems)?;
         let mut points: Vec<LinePoint> = Vec::new();
         for (i, line) in rows.iter().enumerate() {
@@ -206,11 +221,9 @@ fn body<'t, 'a>(
         return None;
     };
     let found: Vec<_> = head.text.split(',').map(str::trim).collect();
-    if found != names {
-        let differs = found
-            .iter()
-            .zip(names)
-            .position(|(found, name)| found != name);
+    let mut pairs = found.iter().zip(names);
+    let differs = pairs.position(|(found, name)| !is_named(found, name));
+    if differs.is_some() || found.len() != names.len() {
         let position = differs.unwrap_or(found.len().min(names.len()));
         problems.push(
             head.number,
@@ -288,7 +301,7 @@ fn sections(
     problems: &mut Problems,
     all: &mut Diagnostics,
 ) -> Option<Vec<CsvStation>> {
-    let names = ["s", "file"].map(str::to_owned);
+    let names = SECTIONS.map(str::to_owned);
     let rows = body(lines, "sections", &names, problems)?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut stations: Vec<CsvStation> = Vec::new();

@@ -4,7 +4,7 @@ use crate::blade::{Blade, BladeDamping};
 use crate::exchange::text::{digits, upper};
 use crate::line::Course;
 
-use super::tables::station_columns;
+use super::tables::{LINE, SECTIONS, station_columns};
 use super::{MARK, interpolation_name, statement};
 
 /// The whole blade.
@@ -40,7 +40,7 @@ pub(in crate::exchange) fn write_index(blade: &Blade, index: &[(f64, String)]) -
     let mut text = head(&linear);
     count(index.len(), &mut text);
     line(blade, &mut text);
-    text.push_str("table,sections\ns,file\n");
+    text.push_str(&format!("table,sections\n{}\n", SECTIONS.join(",")));
     for (position, file) in index {
         text.push_str(&format!("{},{file}\n", digits(*position).trim()));
     }
@@ -79,7 +79,7 @@ fn count(stations: usize, text: &mut String) {
 }
 
 fn line(blade: &Blade, text: &mut String) {
-    text.push_str("table,line\nx,y,z,twist\n");
+    text.push_str(&format!("table,line\n{}\n", LINE.join(",")));
     for point in &blade.line.points {
         let [x, y, z] = point.position.into();
         text.push_str(&joined([x, y, z, point.twist]));

@@ -5,6 +5,9 @@
 
 use std::ops::Range;
 
+/// Depth of the entries of a table in its key, if the file shows no other.
+pub(super) const USUAL: usize = 4;
+
 /// Lines of a text, without the line feed.
 pub(super) type Lines = Vec<String>;
 
@@ -75,21 +78,28 @@ pub(super) fn find(lines: &[String], keys: &[&str]) -> Result<Block, usize> {
 
 /// Depth of the entries of the table of `block`; a usual one without entries.
 pub(super) fn depth(lines: &[String], block: &Block) -> usize {
-    const USUAL: usize = 4;
     let mut body = block.body.clone();
     let depth = body.find_map(|at| indent(&lines[at]));
     depth.unwrap_or(block.indent + USUAL)
 }
 
-/// Text after the colon of the line of a key, without comment and anchor.
-pub(super) fn inline_value(line: &str) -> &str {
-    let value = line.split_once(':').map_or("", |(_, value)| value.trim());
+/// Byte at which the value on the line of a key begins, after its colon and an anchor.
+pub(super) fn value_at(line: &str) -> usize {
+    let value = line
+        .split_once(':')
+        .map_or("", |(_, value)| value.trim_start());
     let value = match value.strip_prefix('&') {
         Some(anchored) => anchored
             .split_once(char::is_whitespace)
-            .map_or("", |x| x.1.trim()),
+            .map_or("", |(_, value)| value.trim_start()),
         None => value,
     };
+    line.len() - value.len()
+}
+
+/// Text of the value on the line of a key, without comment.
+pub(super) fn inline_value(line: &str) -> &str {
+    let value = line[value_at(line)..].trim_end();
     if value.starts_with('#') { "" } else { value }
 }
 

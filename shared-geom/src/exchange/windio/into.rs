@@ -1,7 +1,9 @@
 //! Writes a blade into a copy of a windIO file: its reference axis, its twist and its
 //! elastic properties. All other lines stay as they are, so that a complete file stays complete:
-//! the validator of windIO 2.1.1 accepts copies of its examples with other blades.
+//! the validator of windIO 2.1.1 accepts copies of its examples with other blades. Tables in the
+//! flow style around a replaced one are written as blocks, with their entries as they are.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::super::plain::Plain;
@@ -10,6 +12,7 @@ use super::super::{Options, Writing};
 use super::block::{self, Block, Lines};
 use super::write;
 use super::{VERSION_1, is_version_1};
+use super::{anchors, flow};
 use crate::blade::Blade;
 use crate::error::{Diagnostics, shortened};
 
@@ -70,7 +73,8 @@ fn not_windio() -> ExchangeProblem {
 /// Version 1 has axis, twist and matrices in one table.
 fn version_1(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<String>) {
     let keys = [VERSION_1[0], VERSION_1[1], VERSION_1[2], "six_x_six"];
-    editor.replace(&keys, |margin| write::six_by_six(plain, margin));
+    editor.replace_or_add(&VERSION_1, |_| Vec::new());
+    editor.replace_or_add(&keys, |margin| write::six_by_six(plain, margin));
     lost.extend(write::lost_damping(blade));
     lost.push(
         "the reference axis and the twist of outer_shape_bem: they stay as they are".to_owned(),
@@ -88,7 +92,7 @@ fn version_2(editor: &mut Editor, blade: &Blade, plain: &Plain, lost: &mut Vec<S
         editor.replace_or_add(&keys, |margin| write::indented(&lines, margin));
     }
     let masses = [&ELASTIC[..], &["point_mass"]].concat();
-    if block::find(&editor.lines, &masses).is_ok() {
+    if editor.find(&masses).is_ok() {
         lost.push("point_mass of the existing file: it stays as it is".to_owned());
     }
 }
@@ -102,21 +106,71 @@ struct Editor {
 impl Editor {
     /// Replaces the content of an existing table by the lines for a margin.
     fn replace(&mut self, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
-        match block::find(&self.lines, keys) {
-            Ok(block) => self.fill(&block, keys, content),
+        match self.find(keys) {
+            Ok(block) => self.fill(block, keys, content),
             Err(found) => self.missing(keys, found),
         }
+    }
+
+    /// The block under `keys`. Tables in the flow style on the way to it become blocks.
+    fn find(&mut self, keys: &[&str]) -> Result<Block, usize> {
+        loop {
+            match block::find(&self.lines, keys) {
+                Err(found) if self.open(&keys[..found]) => {}
+                found => return found,
+            }
+        }
+    }
+
+    /// Writes the table under `keys` as a block, its entries on lines of their own, if it is in
+    /// the flow style.
+    fn open(&mut self, keys: &[&str]) -> bool {
+        let Ok(block) = block::find(&self.lines, keys) else {
+            return false;
+        };
+        let start = block::value_at(&self.lines[block.key]);
+        let Some((end, table)) = flow::value(&self.lines, (block.key, start)) else {
+            return false;
+        };
+        let Some(entries) = flow::entries(&table) else {
+            return false;
+        };
+        let body = self.cut(&block, start, end);
+        let margin = " ".repeat(block.indent + block::USUAL);
+        let entries = entries.iter().map(|entry| format!("{margin}{entry}"));
+        self.lines.splice(body, entries);
+        true
+    }
+
+    /// Removes the value of a block from the byte `start` of its key to `end`; a comment after it
+    /// stays. Returns the lines below the key that were a part of it.
+    fn cut(&mut self, block: &Block, start: usize, end: flow::At) -> Range<usize> {
+        let comment = self.lines[end.0][end.1..].trim().to_owned();
+        let line = &mut self.lines[block.key];
+        line.truncate(start);
+        line.truncate(line.trim_end().len());
+        if !comment.is_empty() {
+            line.push(' ');
+            line.push_str(&comment);
+        }
+        block.key + 1..block.body.end.max(end.0 + 1)
     }
 
     /// As [`Editor::replace`]; a missing table is added at the end of its parent. Keeps
     /// the entries of a table for which there is no content.
     fn replace_or_add(&mut self, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
-        let found = match block::find(&self.lines, keys) {
+        let found = match self.find(keys) {
+            Ok(_) if content("").is_empty() && self.open(keys) => return,
             Ok(block) if content("").is_empty() => {
-                self.check_inline(&block, keys);
+                let start = block::value_at(&self.lines[block.key]);
+                let is_alias = self.lines[block.key][start..].starts_with('*');
+                match self.word(&block, start).filter(|_| !is_alias) {
+                    Some(end) => drop(self.cut(&block, start, end)),
+                    None => drop(self.check_inline(&block, keys)),
+                }
                 return;
             }
-            Ok(block) => return self.fill(&block, keys, content),
+            Ok(block) => return self.fill(block, keys, content),
             Err(found) => found,
         };
         let Some((key, parents)) = keys.split_last().filter(|_| found + 1 == keys.len()) else {
@@ -134,23 +188,18 @@ impl Editor {
             indent: depth,
             body: at + 1..at + 1,
         };
-        self.fill(&added, keys, content);
+        self.fill(added, keys, content);
     }
 
     /// Replaces the content of a block.
-    fn fill(&mut self, block: &Block, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
-        if !self.check_inline(block, keys) {
-            return;
-        }
-        let body = &self.lines[block.body.clone()];
-        let anchors = block::names(body, '&');
-        let outside = [
-            &self.lines[..block.body.start],
-            &self.lines[block.body.end..],
-        ]
-        .concat();
-        let aliases = block::names(&outside, '*');
-        if let Some(name) = anchors.iter().find(|name| aliases.contains(name)) {
+    fn fill(&mut self, mut block: Block, keys: &[&str], content: impl Fn(&str) -> Vec<String>) {
+        let start = block::value_at(&self.lines[block.key]);
+        let value = flow::value(&self.lines, (block.key, start));
+        let end = value
+            .map(|(end, _)| end)
+            .or_else(|| self.word(&block, start));
+        let last = end.map_or(block.body.end, |end| block.body.end.max(end.0 + 1));
+        if let Err(name) = anchors::rescue(&mut self.lines, &(block.key..last), start) {
             let problem = ExchangeProblem::Other {
                 what: keys.join("."),
                 found: format!("the anchor &{name}, to which other tables refer"),
@@ -159,8 +208,21 @@ impl Editor {
             };
             return self.problems.push(block.key + 1, &problem);
         }
-        let margin = " ".repeat(block::depth(&self.lines, block).max(block.indent + 1));
-        self.lines.splice(block.body.clone(), content(&margin));
+        let mut depth = block.indent + block::USUAL;
+        match end {
+            Some(end) => block.body = self.cut(&block, start, end),
+            None if !self.check_inline(&block, keys) => return,
+            None => depth = block::depth(&self.lines, &block).max(block.indent + 1),
+        }
+        self.lines.splice(block.body, content(&" ".repeat(depth)));
+    }
+
+    /// The end of an alias, or of the absence of a value, in place of a table.
+    fn word(&self, block: &Block, start: usize) -> Option<flow::At> {
+        let value = block::inline_value(&self.lines[block.key]);
+        let word = value.split_whitespace().next()?;
+        let is_replaced = word.starts_with('*') || ["~", "null", "Null", "NULL"].contains(&word);
+        is_replaced.then_some((block.key, start + word.len()))
     }
 
     /// Whether the value of a block begins below its key; notes other values.

@@ -147,21 +147,96 @@ fn missing_properties_are_added_to_the_structure() {
     assert!(written.contains("            webs: []\n            elastic_properties:\n"));
 }
 
+/// A turbine with all of its blade in the flow style.
+const FLOW: &str = "# turbine\ncomponents:\n    hub: {diameter: 7, cone: [1, 2]}  # kept\n    blade: {\n        \
+                outer_shape: {chord: {grid: [0, 1], values: [5, 1]}, twist: {grid: [0,\n 1], values: [0, 0]}},\n        \
+                structure: {webs: [], elastic_properties: null}, reference_axis: null\n    } # blade\n\
+                airfoils: [] # kept\n";
+
+// A reference turbine may have all of its blade in the flow style: the tables around the replaced
+// ones become blocks with their entries as they are, and other tables keep their style.
+#[test]
+fn tables_in_the_flow_style_are_replaced() {
+    let written = into(FLOW);
+    assert!(difference(&blade(), &read(&written)) < 1e-14, "{written}");
+    for kept in [
+        "# turbine\ncomponents:\n    hub: {diameter: 7, cone: [1, 2]}  # kept\n    blade: # blade\n",
+        "            chord: {grid: [0, 1], values: [5, 1]}\n            twist:\n                grid: [",
+        "            webs: []\n            elastic_properties:\n",
+        "\nairfoils: [] # kept\n",
+    ] {
+        assert!(written.contains(kept), "{kept}\n{written}");
+    }
+}
+
+// The first alias after a replaced table has the old value, and others refer to it.
+#[test]
+fn anchors_in_replaced_tables_move_to_their_first_alias() {
+    let key = "        outer_shape:\n";
+    let other = "        first: {grid: *g, list: *x} # kept\n        second: *g\n        third: *x\n        \
+                 fourth: *b\n";
+    let at = TWO.find("            x:\n").unwrap();
+    let x = "            x: &b\n                grid: &g [0,\n                    1]\n                \
+             values: &x [1, 2]\n            other:\n";
+    let text = TWO[..at].to_owned() + x + &TWO[at..];
+    let text = text.replace(key, &format!("{other}{key}"));
+    let written = into(&text);
+    let expected = "        first: {grid: &g [0, 1], list: &x [1, 2]} # kept\n        second: *g\n        \
+                    third: *x\n        fourth: &b\n            grid: &g [0,\n                1]\n            \
+                    values: &x [1, 2]\n        outer_shape:\n";
+    assert!(written.contains(expected), "{written}");
+    assert!(difference(&blade(), &read(&written)) < 1e-14);
+}
+
+// Refused or readable, and never a panic.
+#[test]
+fn no_changed_byte_makes_the_writer_panic() {
+    let text = FLOW
+        .replace("webs: []", "webs: &w [1, *v], a: *w")
+        .replace("# turbine", "v: &v 2");
+    into(&text);
+    let mut written = 0;
+    for at in 0..text.len() {
+        let mut bytes = text.clone().into_bytes();
+        bytes[at] = b"{}[],:&*#'\"\n x"[at * 5 % 14];
+        let changed = String::from_utf8(bytes).unwrap();
+        if let Ok(writing) = write_into(&blade(), &changed, Path::new("a.yaml")) {
+            written += 1;
+            read(&writing.files[0].1);
+        }
+    }
+    assert!(written > 20, "{written}");
+}
+
+#[test]
+fn missing_properties_are_added_to_version_1() {
+    let text =
+        "components:\n    blade:\n        outer_shape_bem:\n            chord: {}\n    hub: {}\n";
+    let written = into(text);
+    assert!(difference(&blade(), &read(&written)) < 1e-14);
+    assert!(written.starts_with(&text[..text.find("    hub").unwrap()]));
+    assert!(written.ends_with("    hub: {}\n"));
+}
+
 #[test]
 fn files_that_cannot_be_edited_are_refused_with_their_line() {
+    let flat = TWO.replace(
+        "        reference_axis:\n",
+        "        reference_axis: {a: 1, # one\n          b: 2}\n        other:\n",
+    );
+    let message = refused(&flat);
+    assert!(
+        message.contains("a.yaml:7: components.blade.reference_axis: found \"{a: 1, # one\""),
+        "{message}"
+    );
+    // a block cannot move into a list
     let anchored = TWO
         .replace("            x:\n", "            x: &x\n")
         .replace(
             "        outer_shape:\n",
-            "        other: *x\n        outer_shape:\n",
+            "        other: [*x]\n        outer_shape:\n",
         );
     assert!(refused(&anchored).contains("the anchor &x, to which other tables refer"));
-    let flat = TWO.replace("        reference_axis:\n", "        reference_axis: {}\n");
-    let message = refused(&flat);
-    assert!(
-        message.contains("a.yaml:7: components.blade.reference_axis: found \"{}\""),
-        "{message}"
-    );
     let without = TWO.replace("        structure:\n", "        structures:\n");
     let message = refused(&without);
     assert!(message.contains("add structure"), "{message}");

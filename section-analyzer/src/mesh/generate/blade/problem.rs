@@ -240,20 +240,20 @@ impl Explain for BladeProblem {
                  \"filler\""
             }
             Self::WebThick { .. } => "thinner plies in the web, or a longer spar",
-            Self::Tight {
-                about: BladePart::Skin,
-                ..
-            } => "a thinner skin, or an airfoil with a rounder nose",
-            Self::Tight { .. } => {
-                "plies that end ahead of the nose (\"from\", without \"filler\") leave space there"
-            }
+            Self::Tight { about, radius, .. } => return Some(rounder(*about, *radius)),
             Self::Collision {
                 ahead: Some(ahead), ..
             }
             | Self::EdgeThick {
                 ahead: Some(ahead), ..
             } => return Some(space_ahead(*ahead)),
-            Self::Collision { .. } => "thinner plies, or plies that end ahead of it",
+            Self::Collision { space, .. } => {
+                return Some(format!(
+                    "the plies of both surfaces together less than {} thick, by \"thickness\" or \
+                     \"count\"; or plies that end ahead of it, by \"to\"",
+                    below(*space)
+                ));
+            }
             Self::EdgeThick { .. } => "closure = \"open\" gives a skin without a wall there",
             Self::TooManyCells { .. } => "larger cells: [mesh] size",
             Self::Folded {
@@ -268,6 +268,30 @@ impl Explain for BladeProblem {
         };
         Some(help.into())
     }
+}
+
+/// Remedies for plies that are thicker than the radius of the surface.
+fn rounder(about: BladePart, radius: f64) -> String {
+    let thin = format!(
+        "less than {} thick together, by \"thickness\" or \"count\"",
+        below(radius)
+    );
+    match about {
+        BladePart::Skin => format!(
+            "plies of [skin] {thin}; no [skin], but [core.aft] up to the contour, as in a solid \
+             section; or an airfoil with a rounder nose"
+        ),
+        _ => format!(
+            "plies of [spar] that end behind the nose, as with from = 0.05 and without \"filler\"; \
+             or all plies there {thin}"
+        ),
+    }
+}
+
+/// A length rounded down to three digits.
+fn below(length: f64) -> String {
+    let unit = 10f64.powf(length.log10().floor() - 2.0);
+    short((length / unit).floor() * unit)
 }
 
 fn space_ahead(part: f64) -> String {

@@ -96,9 +96,12 @@ fn turbulence_is_along_the_direction() {
     let keys = [
         ("turn", "90"),
         ("upflow", "8"),
-        ("veer", "0.1"),
+        ("veer", "0.1\nreference_height = 90"),
         ("exponent", "0.2\nreference_height = 90"),
-        ("vertical_shear", "0.2\nreference_length = 126"),
+        (
+            "vertical_shear",
+            "0.2\nreference_length = 126\nreference_height = 90",
+        ),
         ("horizontal_shear", "0.2\nreference_length = 126"),
     ];
     for (key, value) in keys {
@@ -165,7 +168,7 @@ fn wrong_turbulence() {
         ),
         (
             &mann.replace("wind = [6, 0, 0]", "altitude = 0"),
-            &["a.toml:5: \"speed\" is 0 m/s at the hub, expected the speed by which"],
+            &["a.toml:6: \"speed\" is 0 m/s at the hub, expected the speed by which"],
         ),
         (
             &of(WIND, "NTM", "reversed = true\n"),
