@@ -165,11 +165,7 @@ fn run(
 ) -> u8 {
     // Before anything is written: the input is wrong.
     if let Err(failure) = check_drives(&input.model, settings) {
-        terminal.report_text(&format!(
-            "error: {name}: {failure}{}\n  help: {}",
-            cards_of(input, &failure),
-            failure.remedy()
-        ));
+        report(input, (name, &failure), "", terminal);
         return WRONG_INPUT;
     }
     let files = match RunFiles::new(&input.model, &input.output, location, resumed) {
@@ -204,19 +200,30 @@ fn run(
     terminal.show(&text);
     let mut code = DONE;
     if let (Some(failure), None) = (&outcome.failure, watched.files.problem()) {
-        let end = short_number(outcome.time, 9);
-        let written = || format!("; all up to {end} s is written");
-        let written = watched.files.has_rows().then(written);
-        terminal.report_text(&format!(
-            "error: {name}: {failure}{}\n  help: {}{}",
-            cards_of(input, failure),
-            failure.remedy(),
-            written.unwrap_or_default()
-        ));
+        let written = watched.files.has_rows().then(|| {
+            let end = short_number(outcome.time, 9);
+            format!("; all up to {end} s is written")
+        });
+        let written = written.unwrap_or_default();
+        report(input, (name, failure), &written, terminal);
         code = NOT_REACHED;
     }
-    let title = &input.model.name;
-    code.max(finish(watched.files, (title, &(head + &text)), terminal))
+    let result = (input.model.name.as_str(), head + &text);
+    code.max(finish(watched.files, (result.0, &result.1), terminal))
+}
+
+/// Reports a failure with the cards that it concerns, the remedy, and the part that is written.
+fn report(
+    input: &Input,
+    (name, failure): (&str, &TransientFailure),
+    written: &str,
+    terminal: &mut Terminal<'_>,
+) {
+    terminal.report_text(&format!(
+        "error: {name}: {failure}{}\n  help: {}{written}",
+        cards_of(input, failure),
+        failure.remedy()
+    ));
 }
 
 /// Locations of the joints that a failure concerns.

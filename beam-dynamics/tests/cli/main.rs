@@ -205,9 +205,8 @@ fn a_good_run_writes_everything_and_says_where() {
         "shapes_at_750_rpm.png",
         "shapes_at_750_rpm.svg",
     ];
-    let written = files
-        .map(|ending| format!("  in/results/a.{ending}\n"))
-        .concat();
+    let written = files.map(|ending| format!("  in/results/a.{ending}\n"));
+    let written = written.concat();
     assert!(
         run.out.ends_with(&format!("\nWritten\n{written}")),
         "{}",

@@ -256,8 +256,7 @@ impl Explain for PerformanceProblem {
             }
             Self::NotPositive { .. } => "begin above zero, or give \"speed\" and \"rotor_speed\"",
             Self::Backward { .. } => {
-                "thrust and torque are those of a rotor that turns forward; descent has a negative \
-                 \"speed\""
+                "the airfoils are for a rotor that turns forward; descent has a negative \"speed\""
             }
             Self::TooMany { .. } => "use fewer steps, or several sweeps",
             Self::Lengths { .. } => "give one value for all points, or one for each",

@@ -106,37 +106,16 @@ pub(super) fn read(
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
     let (precone, hub_height) = (precone?, hub_height?);
-    let is_axial = tilt == 0.0 && yaw == 0.0 && shear == 0.0;
-    let usual = if is_axial { 1 } else { SECTORS_OBLIQUE };
+    let flow = Flow {
+        precone,
+        is_axial: tilt == 0.0 && yaw == 0.0 && shear == 0.0,
+        shear,
+        hub_height,
+        tip_radius,
+    };
+    let usual = if flow.is_axial { 1 } else { SECTORS_OBLIQUE };
     let sectors = sectors?.unwrap_or(usual);
-    let is_high = shear == 0.0 || hub_height > tip_radius;
-    for (is_wrong, key, expected) in [
-        (
-            precone.abs() >= STEEPEST,
-            PRECONE.name(),
-            "less than 80 degrees to either side of the plane of rotation",
-        ),
-        (
-            !is_high && hub_height == 0.0,
-            SHEAR.name(),
-            "\"hub_height\" beside it: the shear is about this height",
-        ),
-        (
-            !is_high && hub_height > 0.0,
-            HUB_HEIGHT.name(),
-            "more than the radius of the tip, since the wind has shear above the ground",
-        ),
-        (
-            !is_axial && sectors < LEAST_SECTORS,
-            SECTORS.name(),
-            "at least 3 azimuths, since the flow has yaw, tilt or shear",
-        ),
-    ] {
-        if is_wrong {
-            table.wrong(key, expected);
-            return None;
-        }
-    }
+    flow.check(table, sectors)?;
     Some(Rotor {
         machine,
         shear,
@@ -160,6 +139,49 @@ pub(super) fn read(
             sectors,
         },
     })
+}
+
+/// Numbers of the flow that depend on each other.
+struct Flow {
+    precone: f64,
+    is_axial: bool,
+    shear: f64,
+    hub_height: f64,
+    tip_radius: f64,
+}
+
+impl Flow {
+    /// Notes numbers that would have no effect, or that no rotor has.
+    fn check(&self, table: &Table<'_>, sectors: usize) -> Option<()> {
+        let is_low = self.shear != 0.0 && self.hub_height <= self.tip_radius;
+        let wrong = [
+            (
+                self.precone.abs() >= STEEPEST,
+                PRECONE.name(),
+                "less than 80 degrees to either side of the plane of rotation",
+            ),
+            (
+                is_low && self.hub_height == 0.0,
+                SHEAR.name(),
+                "\"hub_height\" beside it: the shear is about this height",
+            ),
+            (
+                is_low && self.hub_height > 0.0,
+                HUB_HEIGHT.name(),
+                "more than the radius of the tip, since the wind has shear above the ground",
+            ),
+            (
+                !self.is_axial && sectors < LEAST_SECTORS,
+                SECTORS.name(),
+                "at least 3 azimuths, since the flow has yaw, tilt or shear",
+            ),
+        ];
+        let Some((_, key, expected)) = wrong.into_iter().find(|wrong| wrong.0) else {
+            return Some(());
+        };
+        table.wrong(key, expected);
+        None
+    }
 }
 
 fn kind(index: usize) -> MachineKind {
