@@ -329,7 +329,7 @@ pub struct FrequencyTable {
     pub remarks: Vec<String>,
     /// Words, units and multiples of tables and figures.
     pub style: ModeStyle,
-    /// Whether the model has one blade, whose critical speeds are those of the turning axes.
+    /// Whether the model has one blade, whose critical speeds are the ones in the turning axes.
     pub is_single_blade: bool,
 }
 

@@ -72,7 +72,7 @@ impl FrequencyUnit {
         }
     }
 
-    /// The unit of a column beside that of frequencies per revolution: hertz, if these are chosen.
+    /// The unit of a column beside the one of frequencies per revolution: hertz, if these are chosen.
     pub fn of_column(self) -> Self {
         match self {
             Self::PerRevolution => Self::Hertz,

@@ -1,4 +1,4 @@
-//! Driven joints, and what the modes of a model show of them.
+//! Driven joints, and their part in the modes of a model.
 
 use super::number::short_number;
 use crate::elements::Signal;

@@ -36,7 +36,7 @@ const COLORS: usize = CATEGORIES.len() - 1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FanPlot {
     title: String,
-    /// Rotor speeds in the unit that belongs to that of the frequencies.
+    /// Rotor speeds in the unit that belongs to the unit of the frequencies.
     speeds: Vec<f64>,
     /// Unit of all frequencies.
     unit: FrequencyUnit,

@@ -1,5 +1,5 @@
 //! Units of the tables of modes: rotor speeds in rpm and frequencies in hertz, as all programs read
-//! them, and beside them those of the chosen unit.
+//! them, and beside them the ones of the chosen unit.
 
 use super::rows::number;
 use super::text::{RPM, per_rev};

@@ -120,8 +120,13 @@ rotor speed [rpm],harmonic [-],frequency [Hz],name
 120,0,0,lag 1 regressive
 ";
         assert_eq!(critical_csv(&table, &fixed.critical), expected);
-        // 60 rpm are 2 pi rad/s, 2 Hz are 120 rpm.
-        let mut table = table;
+    }
+
+    // 60 rpm are 2 pi rad/s, 2 Hz are 120 rpm.
+    #[test]
+    fn tables_have_the_chosen_unit() {
+        let mut table = samples::waves();
+        let fixed = FixedTable::new(&table, &[1]).unwrap();
         table.style.unit = FrequencyUnit::RadiansPerSecond;
         let text = fixed_text(&table, &fixed);
         let expected = "\

@@ -143,8 +143,8 @@ impl Recorder for Heights {
     }
 }
 
-// The growth of the linearized two-step map of a revolution (`theory-periodic/maps.json`) is that of small
-// motions in time: `z_(n+2) - p z_(n+1) + q z_n = c` with the roots exp(s h), by least squares. Motions
+// The growth of the linearized two-step map of a revolution (`theory-periodic/maps.json`) equals the growth
+// of small motions in time: `z_(n+2) - p z_(n+1) + q z_n = c` with the roots exp(s h), by least squares. Motions
 // of 2e-4 rad, whose squares change the growth by less than 1 %.
 #[test]
 fn small_motions_in_time_have_the_exponents_of_the_two_step_map() {
