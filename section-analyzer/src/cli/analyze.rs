@@ -69,8 +69,6 @@ pub(super) struct Run {
     mesh_error: bool,
     /// Driven electrodes that are open.
     open: Vec<String>,
-    /// Whether no report is printed, so that warnings are problems.
-    quiet: bool,
 }
 
 impl Run {
@@ -82,7 +80,6 @@ impl Run {
             sensitivity: None,
             mesh_error: false,
             open: Vec::new(),
-            quiet: false,
         }
     }
 }
@@ -113,7 +110,6 @@ pub(super) fn analyze_files(
             .then(|| arguments.sensitivity_nodes.clone()),
         mesh_error: arguments.mesh_error,
         open: arguments.open.clone(),
-        quiet: terminal.is_quiet,
     };
     match &jobs[..] {
         [job] => show(job, analyze_one(job, &run).0, terminal),

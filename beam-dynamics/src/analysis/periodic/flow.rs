@@ -250,9 +250,12 @@ mod tests {
         let map = map.unwrap();
         let nodes = state.nodes.len();
         for seed in 0..4 {
-            let entry = |i: usize| match map.algebraic()[i] {
-                true => 0.0,
-                false => (1.7 * (i + 30 * seed) as f64).sin(),
+            let entry = |i: usize| {
+                if map.algebraic()[i] {
+                    0.0
+                } else {
+                    (1.7 * (i + 30 * seed) as f64).sin()
+                }
             };
             let direction: Vec<f64> = (0..map.size()).map(entry).collect();
             let ends = [-SMALL, SMALL].map(|factor| {

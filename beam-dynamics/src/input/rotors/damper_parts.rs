@@ -71,9 +71,10 @@ pub(super) fn between(table: &Table<'_>, name: &str) -> Option<Option<LagDamper>
 
 /// The end that is not on the blade of the damper; notes the one that is missing, or one too many.
 fn first_end(table: &Table<'_>, name: &str, is_between_blades: bool) -> Option<Vector3<f64>> {
-    let (wanted, other) = match is_between_blades {
-        true => (&NEXT_END, &HUB_END),
-        false => (&HUB_END, &NEXT_END),
+    let (wanted, other) = if is_between_blades {
+        (&NEXT_END, &HUB_END)
+    } else {
+        (&HUB_END, &NEXT_END)
     };
     let name = name.to_owned();
     let (found, has_other) = (table.get(wanted)?, table.has(other));

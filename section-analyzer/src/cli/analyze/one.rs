@@ -186,14 +186,8 @@ fn analyze_checked(
     };
     let (outcome, solution) = unchanged.map_or_else(solve, |outcome| (outcome, None));
     removed.retain(|file| !file.exists());
-    let warnings = input.summary.warnings.iter().filter(|_| run.quiet);
-    let warnings: Vec<_> = warnings
-        .map(|warning| format!("warning: {}: {warning}", job.label))
-        .collect();
-    let unreported = (!warnings.is_empty()).then(|| warnings.join("\n"));
     let outcome = Outcome {
         removed,
-        problems: outcome.problems.or(unreported),
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: warnings_of(input),
         ..outcome

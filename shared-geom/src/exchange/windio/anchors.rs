@@ -86,9 +86,10 @@ fn value(body: &Lines, name: &str) -> Option<Value> {
         return None;
     }
     let scalar = text.split(" #").next().unwrap_or_default();
-    let scalar = match scalar.starts_with('#') {
-        true => "",
-        false => scalar.split([',', ']', '}']).next().unwrap_or_default(),
+    let scalar = if scalar.starts_with('#') {
+        ""
+    } else {
+        scalar.split([',', ']', '}']).next().unwrap_or_default()
     };
     if !scalar.trim().is_empty() {
         return Some(Value::Inline(scalar.trim().to_owned()));
