@@ -92,20 +92,14 @@ impl Wall {
     /// The column at an arc length if it bends beside the web of a spar.
     fn bent(&self, s: f64, point: [f64; 2]) -> Option<Column> {
         let spar = self.spar.as_ref()?;
-        let knee = spar.knee(&self.outline, &self.stack, s)?;
+        let (depth, lean) = spar.knee(&self.stack, s)?;
         let n = self.outline.inward(s);
-        let depth = |depth: f64| {
-            let beyond = (depth - knee.depth).max(0.0);
-            depth - beyond + leaned_depth(beyond, knee.lean, knee.bend)
-        };
+        // a straight mitre, so that the web has its thicknesses at curved surfaces too
         Some(Column {
             point,
             along: n,
-            depths: self.depths(s, None).into_iter().map(depth).collect(),
-            knee: Some((
-                knee.depth,
-                [n[0] - knee.lean * n[1], n[1] + knee.lean * n[0]],
-            )),
+            depths: self.depths(s, None),
+            knee: Some((depth, [n[0] - lean * n[1], n[1] + lean * n[0]])),
             is_closed: false,
         })
     }

@@ -58,17 +58,6 @@ pub(super) struct SparWall {
     fades: [Fade; 2],
 }
 
-/// The bend of a column.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Knee {
-    /// Its depth.
-    pub depth: f64,
-    /// The lean of the column beyond it, along the contour.
-    pub lean: f64,
-    /// The curvature of the surface at this depth.
-    pub bend: f64,
-}
-
 impl SparWall {
     /// The spar on a contour; the layers of `stack` inside of it end at its corners.
     pub fn new(spar: &Spar, outline: &Outline, stack: &mut Stack) -> Result<Self, LayupProblem> {
@@ -98,22 +87,16 @@ impl SparWall {
         })
     }
 
-    /// The bend of the column at an arc length, if there is one.
-    pub fn knee(&self, outline: &Outline, stack: &Stack, s: f64) -> Option<Knee> {
+    /// The depth at which the column at an arc length bends, and its lean beyond; `None` if it does
+    /// not.
+    pub fn knee(&self, stack: &Stack, s: f64) -> Option<(f64, f64)> {
         let [suction, pressure] = self.corners;
-        let lean = match s - suction {
-            x if x < 0.0 || s > pressure => None,
-            x => self.fades[0]
-                .at(x)
-                .or_else(|| Some(-self.fades[1].at(pressure - s)?)),
-        };
-        let depth = stack.before(self.first, s);
-        let bend = outline.bend(s);
-        Some(Knee {
-            depth,
-            lean: lean?,
-            bend: bend / (1.0 - bend * depth),
-        })
+        if s < suction || s > pressure {
+            return None;
+        }
+        let ahead = self.fades[0].at(s - suction);
+        let lean = ahead.or_else(|| Some(-self.fades[1].at(pressure - s)?));
+        Some((stack.before(self.first, s), lean?))
     }
 
     /// The side of the corner at an arc length.
