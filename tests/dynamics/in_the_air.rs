@@ -108,7 +108,8 @@ fn a_flapping_blade_in_hover_decays_by_its_wake() {
 /// (`tests/reference/aero/iea15/steady_hawc2s.csv`).
 type Published = [f64; 5];
 
-const PUBLISHED: [Published; 12] = [
+/// The states at whole winds, and the last two about the peak of the thrust.
+const PUBLISHED: [Published; 14] = [
     [7.0, 0.000535, 5.000012, 4654.279, 1021.311],
     [8.0, 0.000535, 5.6819, 6852.108, 1295.04],
     [9.0, 0.000535, 6.390847, 9593.159, 1590.614],
@@ -121,6 +122,8 @@ const PUBLISHED: [Published; 12] = [
     [21.0, 16.42107, 7.559987, 15662.89, 934.464],
     [23.0, 18.52595, 7.559987, 15678.73, 873.5053],
     [25.0, 20.55312, 7.559987, 15662.42, 824.0912],
+    [10.5, 0.00066, 7.460359, 14728.98, 2056.067],
+    [10.7, 0.000783, 7.559987, 15496.96, 2113.989],
 ];
 /// Tip normal to the blade at its root \[m\] at these winds, by HAWC2 in time
 /// (`tests/reference/aero/iea15/steady_hawc2_tip.csv`).

@@ -15,6 +15,7 @@ mod changes;
 mod inflows;
 mod mach;
 mod problem;
+pub(super) mod switches;
 mod unsteady;
 
 pub use air::AirProblem;

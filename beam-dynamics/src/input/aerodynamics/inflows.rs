@@ -10,11 +10,14 @@ use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use rotor_aero::inflow::InflowModel;
-use rotor_aero::momentum::{HighInduction, Options};
+use rotor_aero::momentum::Options;
 use rotor_aero::strip::{AnnularInflow, Wake};
 use rotor_aero::wake::TimeScale;
 
 use super::problem::StripProblem;
+use super::switches::{
+    self, AXIAL_DRAG, HIGH_INDUCTION, HUB_LOSS, SWIRL, TANGENTIAL_DRAG, TIP_LOSS,
+};
 use crate::input::problem::InputProblem;
 
 mod disks;
@@ -40,17 +43,6 @@ keys! {
     /// Radius at which the blades begin.
     HUB_RADIUS: Option<f64> = "hub_radius", [NotNegative(Dimension::LENGTH)],
         or "the radius of the first station", "1.5";
-    /// Loss at the tips of the blades, by Prandtl.
-    TIP_LOSS: bool = "tip_loss", [Boolean], or "true" = true, "false";
-    /// Loss at the roots of the blades, by Prandtl.
-    HUB_LOSS: bool = "hub_loss", [Boolean], or "true" = true, "false";
-    /// Induced velocity around the axis.
-    SWIRL: bool = "swirl", [Boolean], or "true" = true, "false";
-    /// Induction beyond the limits of momentum: Buhl's parabola with the loss inside or outside of
-    /// it, the polynomial of HAWC2, or momentum alone.
-    HIGH_INDUCTION: usize = "high_induction",
-        [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl\"" = 0,
-        "\"polynomial\"";
     /// Wake: in equilibrium with the loads at all times, or with the two lags of Oye and his time
     /// constants (`dynamic`), or with the time in which the air passes the radius (`hover`), or with
     /// the velocities of the equilibrium in modes and runs (`frozen`).
@@ -65,6 +57,8 @@ keys! {
     EFFECTIVE_RADIUS: f64 = "effective_radius", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.97";
     /// Coordinate of a level ground along the vertical: ground effect.
     GROUND: Option<f64> = "ground", [Quantity(Dimension::LENGTH)], or "no ground", "-12";
+    with TIP_LOSS.schema, HUB_LOSS.schema, SWIRL.schema, AXIAL_DRAG.schema, TANGENTIAL_DRAG.schema,
+        HIGH_INDUCTION.schema;
 }
 
 /// The inflow of a rotor, which has its name and its shaft.
@@ -78,6 +72,8 @@ pub(in crate::input) const OF_ROTOR: TableSchema = TableSchema {
         TIP_LOSS.schema,
         HUB_LOSS.schema,
         SWIRL.schema,
+        AXIAL_DRAG.schema,
+        TANGENTIAL_DRAG.schema,
         HIGH_INDUCTION.schema,
         WAKE.schema,
         SKEW.schema,
@@ -206,6 +202,8 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
         TIP_LOSS.name(),
         HUB_LOSS.name(),
         SWIRL.name(),
+        AXIAL_DRAG.name(),
+        TANGENTIAL_DRAG.name(),
         HIGH_INDUCTION.name(),
         WAKE.name(),
         SKEW.name(),
@@ -250,25 +248,12 @@ fn axis(table: &Table<'_>) -> Option<Option<Vector3<f64>>> {
 
 fn annular(table: &Table<'_>) -> Option<Annular> {
     let (blades, hub_radius) = (table.get(&BLADES), table.get(&HUB_RADIUS));
-    let switches = [&TIP_LOSS, &HUB_LOSS, &SWIRL].map(|key| table.get(key));
-    let (law, wake) = (table.get(&HIGH_INDUCTION), table.get(&WAKE));
-    let (skew, [tip_loss, hub_loss, swirl]) = (table.get(&SKEW), switches);
+    let (options, wake, skew) = (switches::read(table), table.get(&WAKE), table.get(&SKEW));
     Some(Annular {
         is_skewed: skew?,
         blades: blades?,
         hub_radius: hub_radius?,
-        options: Options {
-            tip_loss: tip_loss?,
-            hub_loss: hub_loss?,
-            swirl: swirl?,
-            high_induction: [
-                HighInduction::Buhl,
-                HighInduction::BuhlOutside,
-                HighInduction::Polynomial,
-                HighInduction::Momentum,
-            ][law?],
-            ..Options::default()
-        },
+        options: options?,
         wake: [
             Wake::Equilibrium,
             Wake::Dynamic(TimeScale::Turbine),

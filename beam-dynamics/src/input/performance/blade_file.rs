@@ -77,11 +77,12 @@ pub(super) fn read(
     (machine, airfoils): (MachineKind, &Airfoils),
     remarks: &mut Vec<String>,
 ) -> Option<FileBlade> {
+    let (radius, set, twist) = (table.get(&GEOMETRY_RADIUS), table.get(&SET), twist(table)?);
     let options = BladeOptions {
-        radius: table.get(&GEOMETRY_RADIUS)?,
-        set: table.get(&SET)?,
+        radius: radius?,
+        set: set?,
+        has_twist: twist.is_some(),
     };
-    let twist = twist(table)?;
     let path = table.existing(FILE.name(), file)?;
     let blade = table.document().keep(read_blade(&path, &options))?;
     remarks.extend(

@@ -128,7 +128,10 @@ pub(super) fn read(
 /// Reads the file of the blade.
 fn blade(table: &Table<'_>, file: &str, set: Option<usize>) -> Option<BladeAero> {
     let path = table.existing(&FILE, file)?;
-    let options = BladeOptions { set, radius: None };
+    let options = BladeOptions {
+        set,
+        ..BladeOptions::default()
+    };
     table.keep_file(FILE.name(), read_blade(&path, &options))
 }
 

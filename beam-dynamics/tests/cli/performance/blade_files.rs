@@ -22,6 +22,7 @@ fn a_blade_of_hawc2_needs_its_twist_and_profiles() {
     folder.write("a.rotor.toml", &text);
     let run = folder.run(&["performance", "a.rotor.toml", "--no-figures"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    assert!(!run.out.contains("twist is not"), "{}", run.out);
     let rows = Rows::of(&folder, "results/a.performance.csv", "schedule 1");
     let power = rows.column("CP [-]")[0];
     println!("CP {power:.4}");

@@ -28,6 +28,8 @@ pub struct BladeOptions {
     pub radius: Option<f64>,
     /// Set of a HAWC2 ae file, from one; the first if absent.
     pub set: Option<usize>,
+    /// Whether the twist is from elsewhere: a file without it then has no remark.
+    pub has_twist: bool,
 }
 
 /// Reader of a format.

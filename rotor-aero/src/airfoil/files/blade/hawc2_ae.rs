@@ -83,7 +83,9 @@ pub(super) fn read(text: &str, options: &BladeOptions, notes: &mut Notes) -> Opt
         let help = format!("the file has {sets} sets");
         notes.missing(0, &format!("set {wanted}"), &help);
     }
-    notes.remark(0, "the twist is not in this file: it is zero");
+    if !options.has_twist {
+        notes.remark(0, "the twist is not in this file: it is zero");
+    }
     found.map(|stations| BladeAero::of(BladeFormat::Hawc2Ae, SpanOrigin::RootAlongCurve, stations))
 }
 
