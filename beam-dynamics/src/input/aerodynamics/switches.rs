@@ -50,13 +50,17 @@ pub(in crate::input) fn read(table: &Table<'_>) -> Option<Options> {
 
 #[cfg(test)]
 mod tests {
+    use shared_geom::document::Document;
+
     use super::*;
     use crate::input::test_files::{read_beside, reported};
+
+    /// An option of all.
+    type OptionOf = fn(&mut Options) -> &mut bool;
 
     /// Each key switches one option, in the models of both programs' files.
     #[test]
     fn each_key_is_one_option() {
-        use shared_geom::document::Document;
         let of = |text: &str| {
             let document = Document::parse(text, "a.toml").unwrap();
             let root = document.root();
@@ -65,7 +69,7 @@ mod tests {
         };
         let usual = Options::default();
         assert_eq!(of(""), usual);
-        let options: [(&str, fn(&mut Options) -> &mut bool); 5] = [
+        let options: [(&str, OptionOf); 5] = [
             ("tip_loss", |options| &mut options.tip_loss),
             ("hub_loss", |options| &mut options.hub_loss),
             ("swirl", |options| &mut options.swirl),
