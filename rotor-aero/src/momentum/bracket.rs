@@ -42,6 +42,34 @@ pub fn root(
     Some(state.best.0)
 }
 
+/// The first root that is accepted, searched in each bracket from its start, by a number of equal
+/// intervals; by the next number if none is found. `accepted` gives the result of a root, none for a
+/// pole.
+pub(crate) fn first_root<T>(
+    function: impl Fn(f64) -> f64,
+    brackets: &[(f64, f64)],
+    intervals: &[usize],
+    accepted: impl Fn(f64) -> Option<T>,
+) -> Option<T> {
+    for &count in intervals {
+        for &(start, end) in brackets {
+            let mut last = (start, function(start));
+            for interval in 1..=count {
+                let x = start + (end - start) * interval as f64 / count as f64;
+                let next = (x, function(x));
+                if opposite(last.1, next.1)
+                    && let Some(found) = root(&function, last, next, 1e-14)
+                    && let Some(result) = accepted(found)
+                {
+                    return Some(result);
+                }
+                last = next;
+            }
+        }
+    }
+    None
+}
+
 /// Whether two values have opposite signs, or one is zero.
 pub(crate) fn opposite(one: f64, other: f64) -> bool {
     (one <= 0.0 && other >= 0.0) || (one >= 0.0 && other <= 0.0)

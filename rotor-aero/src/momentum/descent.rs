@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::Annulus;
-use crate::momentum::bracket::{opposite, root};
+use crate::momentum::bracket::{first_root, opposite, root};
 use crate::momentum::loss::{LOSS_FLOOR, loss};
 use crate::momentum::velocity::{Ambient, mass_flow};
 
@@ -51,24 +51,11 @@ pub(super) fn solve(
     };
     let at = |phi: f64| trial(annulus, &ambient, phi, section(pitch - phi));
     let residual = |phi: f64| at(phi).map_or(f64::NAN, |trial| trial.residual);
-    for intervals in INTERVALS {
-        for (start, end) in quarters(vy) {
-            let mut last = (start, residual(start));
-            for interval in 1..=intervals {
-                let phi = start + (end - start) * interval as f64 / intervals as f64;
-                let next = (phi, residual(phi));
-                if opposite(last.1, next.1)
-                    && let Some(phi) = root(residual, last, next, 1e-14)
-                    && let Some(found) = at(phi)
-                    && found.residual.abs() < 1e-9 * (1.0 + found.size)
-                {
-                    return Some((found.induced, phi));
-                }
-                last = next;
-            }
-        }
-    }
-    None
+    first_root(residual, &quarters(vy), &INTERVALS, |phi| {
+        let found = at(phi)?;
+        let is_root = found.residual.abs() < 1e-9 * (1.0 + found.size);
+        is_root.then_some((found.induced, phi))
+    })
 }
 
 /// The trial of an angle; `None` if no speed balances the swirl.

@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::{Annulus, SectionFlow};
-use crate::momentum::bracket::{opposite, root};
+use crate::momentum::bracket::first_root;
 use crate::momentum::descent;
 use crate::momentum::loss::loss;
 
@@ -156,23 +156,9 @@ impl<'a, S: Fn(f64) -> Coefficients<f64>> Ring<'a, S> {
     /// A root of the residual, where it is no pole.
     fn angle(&self) -> Option<f64> {
         let residual = |phi: f64| self.trial(phi).residual;
-        for intervals in INTERVALS {
-            for (start, end) in quadrants(self.vx, self.vy) {
-                let mut last = (start, residual(start));
-                for interval in 1..=intervals {
-                    let phi = start + (end - start) * interval as f64 / intervals as f64;
-                    let next = (phi, residual(phi));
-                    if opposite(last.1, next.1)
-                        && let Some(phi) = root(residual, last, next, 1e-14)
-                        && self.is_root(phi)
-                    {
-                        return Some(phi);
-                    }
-                    last = next;
-                }
-            }
-        }
-        None
+        let accepted = |phi: f64| self.is_root(phi).then_some(phi);
+        let quadrants = quadrants(self.vx, self.vy);
+        first_root(residual, &quadrants, &INTERVALS, accepted)
     }
 
     /// Whether the residual is zero there, and not infinite, and the flow with induction has this
@@ -269,9 +255,9 @@ fn quadrants(vx: f64, vy: f64) -> [(f64, f64); 4] {
     let q4 = (-FRAC_PI_2, -PI + EDGE);
     match (vx > 0.0, vy > 0.0) {
         (true, true) => [q1, q2, q3, q4],
-        (false, true) => [q2, q1, q4, q3],
         (true, false) => [q3, q4, q1, q2],
-        (false, false) => [q4, q3, q2, q1],
+        // at rest in descent; all other descents are in another file
+        (false, _) => [q2, q1, q4, q3],
     }
 }
 
