@@ -64,8 +64,25 @@ impl Column {
         self.foot + self.axes.column(0) * self.length
     }
 
+    /// The cards of a column that may be absent, called `name`, on the node `holder` or clamped, and the
+    /// node at its end; without a column the holder.
+    pub fn mounted(
+        column: Option<&Self>,
+        base: &Base,
+        name: &str,
+        holder: Option<&str>,
+    ) -> (Vec<Card>, Option<String>) {
+        match column {
+            Some(column) => (
+                column.cards(base, name, holder),
+                Some(format!("{name}/tip")),
+            ),
+            None => (Vec::new(), holder.map(str::to_owned)),
+        }
+    }
+
     /// The cards of a line called `name`, whose first end is on the node `holder`, or clamped.
-    pub fn cards(&self, base: &Base, name: &str, holder: Option<&str>) -> Vec<Card> {
+    fn cards(&self, base: &Base, name: &str, holder: Option<&str>) -> Vec<Card> {
         let frame = name.replace('/', " ");
         let orientation = vector::from_rotation(&self.axes);
         let blade = base

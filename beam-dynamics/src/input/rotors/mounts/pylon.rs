@@ -113,14 +113,8 @@ impl Pylon {
 
     /// The cards; `node` is the pylon.
     pub fn cards(&self, base: &Base, holder: Option<&str>, node: &str) -> Vec<Card> {
-        let wing = base.part("wing");
-        let (mut cards, below) = match &self.wing {
-            Some(column) => (
-                column.cards(base, &wing, holder),
-                Some(format!("{wing}/tip")),
-            ),
-            None => (Vec::new(), holder.map(str::to_owned)),
-        };
+        let (mut cards, below) =
+            Column::mounted(self.wing.as_ref(), base, &base.part("wing"), holder);
         cards.push(
             base.listed("node")
                 .with("name", node)

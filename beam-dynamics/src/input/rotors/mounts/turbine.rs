@@ -116,14 +116,8 @@ impl Turbine {
 
     /// The cards; `node` is the nacelle.
     pub fn cards(&self, base: &Base, holder: Option<&str>, node: &str) -> Vec<Card> {
-        let tower = base.part("tower");
-        let (mut cards, below) = match &self.tower {
-            Some(column) => (
-                column.cards(base, &tower, holder),
-                Some(format!("{tower}/tip")),
-            ),
-            None => (Vec::new(), holder.map(str::to_owned)),
-        };
+        let (mut cards, below) =
+            Column::mounted(self.tower.as_ref(), base, &base.part("tower"), holder);
         cards.push(
             base.listed("node")
                 .with("name", node)
