@@ -450,8 +450,7 @@ impl LocalJacobian {
 fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {
-        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
-        (a[i], a[n + i], a[2 * n + i]) = (row[0], row[1], row[2]);
+        [a[i], a[n + i], a[2 * n + i]] = times([a[i], a[n + i], a[2 * n + i]], m);
     }
 }
 
@@ -459,11 +458,19 @@ fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f6
 fn add_mapped(b: &mut [f64], a: &[f64], (touched, first): (&[LocalRun], usize), m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {
-        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
+        let row = times([a[i], a[n + i], a[2 * n + i]], m);
         for k in 0..3 {
             b[n * k + i] += row[k];
         }
     }
+}
+
+/// The row `a M`.
+#[inline]
+fn times(a: [f64; 3], m: &Matrix3<f64>) -> [f64; 3] {
+    let entry = |column: &[f64; 3]| a[0] * column[0] + a[1] * column[1] + a[2] * column[2];
+    let [first, second, third] = &m.data.0;
+    [entry(first), entry(second), entry(third)]
 }
 
 /// Rows of entries in a column that begins at entry `first`.
