@@ -88,9 +88,9 @@ fn blades_of_cards_have_the_thrust_of_blades() {
 }
 
 /// Stations by thickness: from .2 to .3 the mixture changes where the thickness is .25, in the middle, where
-/// strips by names are cut and these are not: with 4 Gauss points the thrust differs by 9e-4, with 8 by less.
-/// Without the airfoil in the middle the mixture there would have a slope of 4.5 in place of 6. Equal
-/// mixtures of equal strips are equal.
+/// strips by names are cut and these are not: 8 Gauss points over the bend of the slope have 1e-3 of the
+/// thrust. Without the airfoil in the middle the thrust would be 10 % less. Equal mixtures of equal strips
+/// are equal.
 #[test]
 fn stations_have_airfoils_by_their_thickness() {
     let airfoils = "[airfoils.a]\nslope = 5\ndrag = 0.01\nthickness = 0.2\n[airfoils.b]\nslope = 6\n\
@@ -118,7 +118,7 @@ fn stations_have_airfoils_by_their_thickness() {
                 (2.0, "airfoil = \"b\""),
                 (4.0, "airfoil = \"c\""),
             ]),
-            5e-4,
+            3e-3,
         ),
         (
             list(&[
