@@ -210,6 +210,7 @@ fn controls_with_drees_inflow() {
 }
 
 #[test]
+#[ignore = "5 s; rows of the same kind are tested"]
 fn controls_with_uniform_inflow() {
     let variant = Variant {
         inflow: "kind = \"uniform\"",
