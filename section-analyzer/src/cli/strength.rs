@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use nalgebra::Vector6;
-use shared_geom::error::{Diagnostics, Explain, SourceLocation};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation, quoted};
 use shared_geom::files::{make_folder, write_whole};
 
 use super::analyze::{Job, Outcome, Status, solve_all};
@@ -13,7 +13,7 @@ use super::restored::Restored;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
 use crate::input::span_loads::{
-    ListedStation, LoadInstant, LoadPositions, read_loads, read_stations,
+    ListedStation, LoadInstant, LoadPositions, SpanLoads, read_loads, read_stations,
 };
 use crate::output::{
     DamageRow, FatigueRow, ReserveRow, damage_csv, damage_text, fatigue_csv, strength_csv,
@@ -22,6 +22,7 @@ use crate::output::{
 use crate::recovery::fatigue::{RegionDamage, region_damages};
 use crate::recovery::{Recoverer, RegionReserve, region_reserves};
 
+mod coverage;
 mod histories;
 
 use histories::Histories;
@@ -29,6 +30,8 @@ use histories::Histories;
 /// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
 const BLADE: &str = ".blade.json";
+/// The folder of the sections, beside the table.
+const SECTIONS: &str = "sections";
 
 /// The table of stations at `path`, or beside the blade there.
 fn table_of(path: &Path) -> PathBuf {
@@ -48,6 +51,8 @@ enum NoStrength {
     Positions,
     #[error("the table has no station beyond the root")]
     Length,
+    #[error("sections have changed since the table was written: {}", quoted(.sections))]
+    Changed { sections: Vec<String> },
 }
 
 impl Explain for NoStrength {
@@ -57,6 +62,9 @@ impl Explain for NoStrength {
             Self::Positions => {
                 "a load with one position is valid near it alone: give each instant positions at \
                  the root and at the tip"
+            }
+            Self::Changed { .. } => {
+                "run \"section-analyzer blade\" again, for each layup into a folder of its own by --out"
             }
             Self::Length => "name the table NAME.span.csv that \"section-analyzer blade\" wrote",
         };
@@ -89,11 +97,17 @@ pub(super) fn envelope(
         member: arguments.member.clone(),
         named: arguments.at.clone(),
     };
+    let folder = span.parent().unwrap_or(Path::new(""));
+    check_sections(&stations, folder).map_err(|problem| terminal.report_all(&wrong(problem)))?;
     let loads = read_loads(&arguments.loads, &positions);
-    let loads = loads.map_err(|problems| terminal.report_all(&problems))?;
+    let SpanLoads { instants, unused } =
+        loads.map_err(|problems| terminal.report_all(&problems))?;
+    let loads = instants;
     let histories = Histories::new(&loads, arguments.durations.as_deref());
     let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
-    let jobs = jobs_of(&stations, span.parent().unwrap_or(Path::new("")));
+    let warnings = coverage::warnings(&stations, (&loads, &unused));
+    terminal.warn(&arguments.loads, &warnings)?;
+    let jobs = jobs_of(&stations, folder);
     let found: Vec<OnceLock<Rows>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match rows(&stations[number], job, (&loads, &histories)) {
         Ok((outcome, rows)) => {
@@ -139,9 +153,21 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     }
 }
 
+/// Checks that the sections of stations, below `folder`, are those of the table.
+fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStrength> {
+    let folder = folder.join(SECTIONS);
+    let changed = stations.iter().filter(|one| one.has_changed(&folder));
+    let sections: Vec<String> = changed.map(|one| one.section.clone()).collect();
+    if sections.is_empty() {
+        Ok(())
+    } else {
+        Err(NoStrength::Changed { sections })
+    }
+}
+
 /// The section files of stations, below `folder`.
 fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
-    let folder = folder.join("sections");
+    let folder = folder.join(SECTIONS);
     let job = |station: &ListedStation| Job {
         file: folder.join(format!("{}.section.toml", station.section)),
         folder: folder.clone(),

@@ -95,6 +95,14 @@ impl Shape {
             table.note("", &LayupFileProblem::Airfoil { found });
             return None;
         }
+        let is_far = |(_, part)| !(-1.0..=2.0).contains(&part);
+        if origin
+            .as_ref()
+            .is_some_and(|origin| origin.points().any(is_far))
+        {
+            table.wrong(&ORIGIN, "parts of the chord from -1 to 2");
+            return None;
+        }
         let thickness = table.get(&RELATIVE_THICKNESS);
         let by_thickness = table.has(&RELATIVE_THICKNESS);
         let airfoils = if table.has(&AIRFOILS) {
