@@ -171,7 +171,7 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     }
 }
 
-/// Checks that the sections of stations, below `folder`, are those of the table.
+/// Checks that the sections of stations, below `folder`, belong to the table.
 fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStrength> {
     let folder = folder.join(SECTIONS);
     let changed = stations.iter().filter(|one| one.has_changed(&folder));

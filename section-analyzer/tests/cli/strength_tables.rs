@@ -1,5 +1,5 @@
-//! Tables of loads for `section-analyzer strength`: units, cases, positions, and what is refused or
-//! reported of them.
+//! Tables of loads for `section-analyzer strength`: units, cases, positions, errors and
+//! warnings.
 
 use crate::strength::{number, rows, solved, strength};
 use crate::whole_blade::LAYUP;
