@@ -78,35 +78,53 @@ struct Rows {
     damages: Vec<DamageRow>,
 }
 
+/// A problem of the table of stations.
+fn wrong(span: &Path, problem: &NoStrength) -> Diagnostics {
+    Diagnostics::one(SourceLocation::file(span.display().to_string()), problem)
+}
+
+/// Reads the stations of the table `span` with sections below `folder`, and the loads; shows
+/// warnings about both.
+fn read(
+    arguments: &StrengthArguments,
+    (span, folder): (&Path, &Path),
+    terminal: &mut Terminal<'_>,
+) -> Result<(Vec<ListedStation>, Vec<LoadInstant>), Stop> {
+    let stations = read_stations(span).map_err(|problems| terminal.report_all(&problems))?;
+    let outer = stations.iter().rev().find(|station| station.eta > 0.0);
+    let Some(outer) = outer else {
+        return Err(terminal.report_all(&wrong(span, &NoStrength::Length)));
+    };
+    check_sections(&stations, folder)
+        .map_err(|problem| terminal.report_all(&wrong(span, &problem)))?;
+    let positions = LoadPositions {
+        length: outer.arc_length / outer.eta,
+        member: arguments.member.clone(),
+        named: arguments.at.clone(),
+    };
+    let loads = read_loads(&arguments.loads, &positions);
+    let SpanLoads { instants, unused } =
+        loads.map_err(|problems| terminal.report_all(&problems))?;
+    if stations.iter().any(|station| station.fingerprint.is_none()) {
+        let text = "the table has no column \"fingerprint\": whether its sections have changed since is \
+                    unknown";
+        terminal.warn(span, &[text.to_owned()])?;
+    }
+    let warnings = coverage::warnings(&stations, (&instants, &unused));
+    terminal.warn(&arguments.loads, &warnings)?;
+    Ok((stations, instants))
+}
+
 /// Finds and writes reserve factors, damage and fatigue loads.
 pub(super) fn envelope(
     arguments: &StrengthArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let span = &table_of(&arguments.span);
-    let wrong = |problem: NoStrength| {
-        Diagnostics::one(SourceLocation::file(span.display().to_string()), &problem)
-    };
-    let stations = read_stations(span).map_err(|problems| terminal.report_all(&problems))?;
-    let outer = stations.iter().rev().find(|station| station.eta > 0.0);
-    let Some(outer) = outer else {
-        return Err(terminal.report_all(&wrong(NoStrength::Length)));
-    };
-    let positions = LoadPositions {
-        length: outer.arc_length / outer.eta,
-        member: arguments.member.clone(),
-        named: arguments.at.clone(),
-    };
     let folder = span.parent().unwrap_or(Path::new(""));
-    check_sections(&stations, folder).map_err(|problem| terminal.report_all(&wrong(problem)))?;
-    let loads = read_loads(&arguments.loads, &positions);
-    let SpanLoads { instants, unused } =
-        loads.map_err(|problems| terminal.report_all(&problems))?;
-    let loads = instants;
+    let (stations, loads) = read(arguments, (span, folder), terminal)?;
     let histories = Histories::new(&loads, arguments.durations.as_deref());
     let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
-    let warnings = coverage::warnings(&stations, (&loads, &unused));
-    terminal.warn(&arguments.loads, &warnings)?;
     let jobs = jobs_of(&stations, folder);
     let found: Vec<OnceLock<Rows>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match rows(&stations[number], job, (&loads, &histories)) {
@@ -137,7 +155,7 @@ pub(super) fn envelope(
     };
     tables.write(arguments, terminal)?;
     if reserves.is_empty() && damages.is_empty() && is_solved {
-        return Err(terminal.report_all(&wrong(nothing(&stations, &loads))));
+        return Err(terminal.report_all(&wrong(span, &nothing(&stations, &loads))));
     }
     ended.result()
 }
@@ -153,7 +171,7 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     }
 }
 
-/// Checks that the sections of stations, below `folder`, are those of the table.
+/// Checks that the sections of stations, below `folder`, belong to the table.
 fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStrength> {
     let folder = folder.join(SECTIONS);
     let changed = stations.iter().filter(|one| one.has_changed(&folder));

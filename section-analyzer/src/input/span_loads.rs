@@ -107,7 +107,7 @@ pub struct LoadPositions {
 pub struct SpanLoads {
     /// The internal forces at each instant.
     pub instants: Vec<LoadInstant>,
-    /// Headings of the columns that have no effect, without those of the tables of equilibria.
+    /// Headings of the columns that have no effect, without the columns of equilibria.
     pub unused: Vec<String>,
 }
 

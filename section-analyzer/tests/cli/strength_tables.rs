@@ -1,5 +1,5 @@
-//! Tables of loads for `section-analyzer strength`: units, cases, positions, and what is refused or
-//! reported of them.
+//! Tables of loads for `section-analyzer strength`: units, cases, positions, errors and
+//! warnings.
 
 use crate::strength::{number, rows, solved, strength};
 use crate::whole_blade::LAYUP;
@@ -268,6 +268,15 @@ fn sections_belong_to_their_table() {
                     \"eta_0.1000\", \"eta_0.9000\"\n  help: run \"section-analyzer blade\" again, for \
                     each layup into a folder of its own by --out\n";
     assert_eq!((run.code, run.err.as_str()), (2, expected));
+    let table = workplace.read("b/a.span.csv");
+    let rows = table
+        .lines()
+        .map(|line| line.rsplit_once(',').unwrap().0.to_owned() + "\n");
+    workplace.write("b/a.span.csv", &rows.collect::<String>());
+    let run = strength(&workplace, "eta,axial\n0,1\n1,1\n", &[]);
+    let expected = "the table has no column \"fingerprint\": whether its sections have changed since is \
+                    unknown";
+    assert_eq!(warnings(&run), [expected]);
 }
 
 /// The layer "tip" is there between eta 0.6 and 0.75 only.
@@ -278,7 +287,7 @@ fn layers_between_stations_are_reported() {
     let check = |stations: &str| {
         workplace.run(&["blade", "a.layup.toml", "--check", "--stations", stations])
     };
-    let expected = "line 30: layer \"tip\" is there from eta 0.6 to 0.75, and at no station";
+    let expected = "line 29: layer \"tip\" is there from eta 0.6 to 0.75, and at no station";
     assert_eq!(warnings(&check("0.1,0.5,0.9")), [expected]);
     assert!(warnings(&check("0.1,0.7,0.9")).is_empty());
 }

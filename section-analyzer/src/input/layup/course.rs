@@ -131,7 +131,7 @@ impl Course {
     pub fn rounded(&self, factor: f64) -> Self {
         let whole = |eta: f64| factor * self.at(eta).round();
         let Some((&first, &last)) = self.positions().first().zip(self.positions().last()) else {
-            return Self::constant(factor * self.value[0].round());
+            return self.map(|_, value| factor * value.round());
         };
         let (mut eta, mut value) = (vec![first], vec![whole(first)]);
         // monotone between two positions

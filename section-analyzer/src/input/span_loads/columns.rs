@@ -150,7 +150,7 @@ impl LoadTable {
         Err(self.0.problem(row.line, &problem))
     }
 
-    /// Headings of the columns without effect, other than those of the tables of equilibria;
+    /// Headings of the columns without effect, except columns of equilibria;
     /// `starts` are the beginnings of the names of groups, of a table over time.
     pub(super) fn unused(&self, starts: &[String]) -> Vec<String> {
         let is_component = |name: &str| {

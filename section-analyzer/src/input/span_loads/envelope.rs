@@ -23,11 +23,8 @@ impl LoadTable {
         })
     }
 
-    /// The corners of the boxes of an envelope; of each `case` if the table has it.
-    pub(super) fn corners(
-        &self,
-        positions: &LoadPositions,
-    ) -> Result<Vec<LoadInstant>, Diagnostics> {
+    /// Refuses times, steps and plain components beside an envelope.
+    fn refuse_instants(&self) -> Result<(), Diagnostics> {
         let plain = COMPONENTS.map(|component| component.0);
         for column in ["time", "step"].into_iter().chain(plain) {
             if self.0.index(column).is_some() {
@@ -35,6 +32,15 @@ impl LoadTable {
                 return Err(self.0.problem(1, &SpanLoadProblem::Envelope { column }));
             }
         }
+        Ok(())
+    }
+
+    /// The corners of the boxes of an envelope; of each `case` if the table has it.
+    pub(super) fn corners(
+        &self,
+        positions: &LoadPositions,
+    ) -> Result<Vec<LoadInstant>, Diagnostics> {
+        self.refuse_instants()?;
         let position = self.position(positions.length)?;
         let mut columns = [[None; 6]; 2];
         let (mut known, mut absent) = (Vec::new(), Vec::new());
