@@ -89,12 +89,18 @@ fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
     result
 }
 
-/// The root at the value `index` of a name, or of a mode that begins with the name.
+/// The root at the value `index` of a name, or of the first mode there that begins with the name.
 fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a StabilityRoot {
-    let exact = result.modes.iter().position(|own| own == name);
-    let mode = exact.or_else(|| result.modes.iter().position(|own| own.starts_with(name)));
-    let mode = mode.unwrap_or_else(|| panic!("no {name} among {:?}", result.modes));
-    result.points[index].root_of(mode).unwrap()
+    let fits = |exact: bool| {
+        let modes = result.modes.iter().enumerate();
+        let mut modes = modes.filter(move |(_, own)| match exact {
+            true => *own == name,
+            false => own.starts_with(name),
+        });
+        modes.find_map(|(mode, _)| result.points[index].root_of(mode))
+    };
+    let found = fits(true).or_else(|| fits(false));
+    found.unwrap_or_else(|| panic!("no {name} among {:?}", result.modes))
 }
 
 // The blades of a whirl have one frequency f in turning axes, up to the small coupling by the wake, and the

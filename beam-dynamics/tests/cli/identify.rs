@@ -94,7 +94,7 @@ fn gaps_are_reported() {
     let text: Vec<&str> = kept.map(|(_, row)| row).collect();
     folder.write("run.csv", &(text.join("\n") + "\n"));
     let run = folder.run(&["identify", "run.csv", "--columns", "tip"]);
-    assert_eq!(run.code, 1, "{}", run.err);
+    assert_eq!(run.code, 2, "{}", run.err);
     let words = "the record has a gap: from 2.49 s to 2.695 s, 40 times its mean step";
     assert!(run.err.contains(words), "{}", run.err);
 }

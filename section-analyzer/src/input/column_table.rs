@@ -314,6 +314,9 @@ impl ColumnTable {
         if unit.is_empty() || unit == "-" && dimension == Dimension::NUMBER {
             return Ok(1.0);
         }
+        if unit == "%" && dimension == Dimension::NUMBER {
+            return Ok(0.01);
+        }
         let parsed = parse_as(&unit, dimension).map(|unit| unit.factor);
         parsed.map_err(|problem| {
             let problem = ColumnProblem::Unit {

@@ -50,7 +50,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "articulated",
         "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.swashplate]\n\
-         plate = { below = 0.3, horn = [0.1, 0.2] }\n[rotor.swashplate.actuators]\nbase_radius = 0.1\n\
+         [rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.2]\n[rotor.swashplate.plate.actuators]\nbase_radius = 0.1\n\
          radius = 0.2\nbase_below = 0.6\nazimuths = [0, 360, 120]",
         "\"azimuths\" lists 3 actuators at 2 different azimuths, expected three",
     ),
