@@ -239,7 +239,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "origin = 0.25",
         "origin = 50",
-        "expected parts of the chord from -1 to 2",
+        "expected a part of the chord from -1 to 2",
     ),
     (
         "taper = \"1:20\"",

@@ -95,12 +95,11 @@ impl Shape {
             table.note("", &LayupFileProblem::Airfoil { found });
             return None;
         }
-        let is_far = |(_, part)| !(-1.0..=2.0).contains(&part);
-        if origin
-            .as_ref()
-            .is_some_and(|origin| origin.points().any(is_far))
+        if let Some(origin) = &origin
+            && origin.positions().is_empty()
+            && !(-1.0..=2.0).contains(&origin.at(0.0))
         {
-            table.wrong(&ORIGIN, "parts of the chord from -1 to 2");
+            table.wrong(&ORIGIN, "a part of the chord from -1 to 2");
             return None;
         }
         let thickness = table.get(&RELATIVE_THICKNESS);
