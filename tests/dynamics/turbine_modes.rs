@@ -182,17 +182,18 @@ fn a_whirl_decays_in_time_as_its_eigenvalue_says() {
 }
 
 // Without air nothing is damped: the growth of a mode falls in proportion to the density. Whirls have the
-// growth of their collective mode, and without air blades that do not act on each other have any waves.
+// growth of their collective mode, and without air blades that do not act on each other have any waves. The
+// least growth, of the edgewise modes, is some 1e-6 1/s, thirty times the round-off of the eigenvalues.
 #[test]
 fn the_damping_by_air_ends_with_the_air() {
     let result = over(
         &text("frozen", "quasi_steady"),
         "density",
-        "[5e-6, 1e-5, 2e-5]",
+        "[5e-5, 1e-4, 2e-4]",
     );
     for name in ["flap 1", "flap 2", "edge 1"] {
         let growth = [0, 1, 2].map(|index| root(&result, index, name).growth());
-        assert!(growth[0] < 0.0 && growth[0] > -1e-4, "{name}: {growth:?}");
+        assert!(growth[0] < 0.0 && growth[0] > -1e-3, "{name}: {growth:?}");
         for pair in growth.windows(2) {
             assert!((pair[1] / pair[0] - 2.0).abs() < 0.01, "{name}: {growth:?}");
         }
