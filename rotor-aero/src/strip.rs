@@ -345,15 +345,7 @@ impl Strip {
         let strip = self.constants(air);
         // The model without states has no rows.
         let force = QuasiSteady.evaluate(&strip, &self.polar, &flow, &[], &[], &mut []);
-        let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
-            Some(force) => of(force) * air.part,
-            None => T::from(0.0),
-        };
-        SectionForce {
-            along: scaled(|force| force.along),
-            normal: scaled(|force| force.normal),
-            moment: scaled(|force| force.moment),
-        }
+        SectionForce::part_of(force, air.part)
     }
 
     /// Friction of the flow along the span, per length [N/m].
@@ -440,11 +432,7 @@ impl Strip {
             for ((row, state), rate) in rows.iter_mut().zip(states).zip(rates) {
                 *row = *state + *rate;
             }
-            return SectionForce {
-                along: T::from(0.0),
-                normal: T::from(0.0),
-                moment: T::from(0.0),
-            };
+            return SectionForce::part_of(None, air.part);
         }
         let flow = self.deflected(rigid, deflection);
         let of_flap = self.flap.as_ref();
@@ -452,14 +440,10 @@ impl Strip {
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);
-        let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
-            Some(force) => of(force) * air.part,
-            None => T::from(0.0),
-        };
+        let force = SectionForce::part_of(force, air.part);
         SectionForce {
-            along: scaled(|force| force.along),
-            normal: scaled(|force| force.normal),
-            moment: scaled(|force| force.moment) + of_flap.unwrap_or_else(T::zero),
+            moment: force.moment + of_flap.unwrap_or_else(T::zero),
+            ..force
         }
     }
 }
