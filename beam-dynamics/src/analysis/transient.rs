@@ -252,6 +252,7 @@ fn resume<'a>(
     let states = snapshot::states(model, snapshot)?;
     let mut run = run(model, settings, states)?;
     run.integrator.restore(&snapshot.progress);
+    run.dae.begin_step(snapshot.progress.length);
     run.step = snapshot.step;
     run.energy = EnergyWatch::new(model, settings, &run.dae, &run.conditions());
     run.output_time = snapshot.output_time;
