@@ -53,8 +53,8 @@ use singular::Passed;
 pub(in crate::analysis) use start::{Started, start};
 use turning::Turns;
 
-/// Rotation of a node in a step above which a remark is given \[rad\]: the relative error of the
-/// rotation formula is then half a percent.
+/// Rotation of a node in a step, relative to the axes in which it is integrated, above which a remark
+/// is given \[rad\]: the relative error of the rotation formula is then half a percent.
 const FAR_TURN: f64 = 0.3;
 
 /// Rotation of a node in a step above which a remark is given \[rad\]: with two steps of a radius
@@ -395,8 +395,7 @@ impl Run<'_> {
         if self.far_turn.is_some() {
             return;
         }
-        let nodes = self.dae.state().nodes.iter();
-        let turns = nodes.map(|node| length * node.angular_velocity.norm());
+        let turns = self.dae.turns().map(|speed| length * speed);
         let farthest = farthest_turn(&self.settings.scheme);
         let far = turns.enumerate().find(|(_, turn)| *turn > farthest);
         let time = self.integrator.time();

@@ -168,6 +168,12 @@ impl<'a> Multibody<'a> {
         self.slack.as_ref()
     }
 
+    /// Angular speed of each node relative to the axes in which it is integrated \[rad/s\].
+    pub fn turns(&self) -> impl Iterator<Item = f64> + '_ {
+        let nodes = self.states[0].nodes.iter().zip(self.frames.of_nodes());
+        nodes.map(|(node, frame)| (node.angular_velocity - frame.angular_velocity).norm())
+    }
+
     /// The latest accepted state.
     pub fn state(&self) -> &State {
         &self.states[0]

@@ -24,9 +24,9 @@
 //! ```
 //!
 //! A turning part is a set of nodes, connected by elements, that turn nearly alike, with the nodes of
-//! a blade among them. Its center and V are those of the node whose velocity differs least from the
-//! velocity of a node of another part, or of the ground, to which it is connected: a hub on its
-//! shaft. All other nodes keep components in space, in which the formulas keep the momenta of free
+//! a blade among them. They have the angular velocity of the node whose velocity differs least from
+//! the velocity of a node of another part, or of the ground, to which it is connected, as of a hub on
+//! its shaft; V is the latter velocity. All other nodes keep components in space, in which the formulas keep the momenta of free
 //! bodies exactly, and in which a uniform velocity changes nothing.
 
 use nalgebra::{Matrix3, Vector3};
