@@ -11,7 +11,7 @@
 //! x   = c + U (d_1 + xi)               v = V + w x d + U xi'
 //! R   = U R(g) R_1                     omega = w + U G(g) g'
 //! beta  = m V + U (b_1 + b)            beta'  = w x (beta - m V) + U b'      b_1 = beta_1 - m V
-//! gamma = U (gamma_1 + p)              gamma' = w x gamma + U p'
+//! gamma = U (gamma_1 + p)              gamma' = w x gamma + U p'              (D-285)
 //! ```
 //!
 //! with the mass m of the node, which moves with V. The numbers of the formulas are xi, g, b, p,
