@@ -22,8 +22,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::gibbs::Increment;
+use nalgebra::Matrix3;
 
 use crate::analysis::balance::{Scales, largest_motion};
 use crate::assembly::{
@@ -100,10 +99,6 @@ impl<'a> Multibody<'a> {
         let system = &model.system;
         let nodes = system.nodes().len();
         let numbering = system.numbering();
-        let still = Increment {
-            parameters: Vector3::zeros(),
-            rate: Vector3::zeros(),
-        };
         // Of the model and not of a state: a run that is continued has the same. The tangent
         // is freed before other memory is allocated.
         let (own_axes, frames) = {
@@ -113,17 +108,7 @@ impl<'a> Multibody<'a> {
             (own_axes, Frames::new(model, &tangent))
         };
         let sharing = Sharing::new(system, &states[0], &model.conditions_at(0.0));
-        let trial = || Trial {
-            base: states[0].clone(),
-            state: states[0].clone(),
-            conditions: model.conditions_at(0.0),
-            turns: vec![still; nodes],
-            gammas: vec![[Vector3::zeros(); 2]; nodes],
-            since: 0.0,
-            axes: vec![Matrix3::identity(); nodes],
-            sharing: sharing.clone(),
-            held: [(); 2].map(|()| vec![Matrix3::identity(); nodes]),
-        };
+        let trial = Trial::new(&states[0], model.conditions_at(0.0), sharing);
         let variation = Variation {
             turn: Matrix3::identity(),
             rate_by_turn: Matrix3::zeros(),
@@ -131,7 +116,7 @@ impl<'a> Multibody<'a> {
         };
         let mut dae = Self {
             model,
-            trials: (0..stages).map(|_| trial()).collect(),
+            trials: vec![trial; stages],
             variations: vec![variation; nodes],
             turned: Turned::new(system),
             own_axes,

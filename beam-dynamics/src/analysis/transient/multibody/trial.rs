@@ -1,6 +1,6 @@
 //! A state under trial: predicted, corrected, and varied.
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::gibbs::{self, Increment};
 use shared_geom::rotation::skew;
 
@@ -17,7 +17,7 @@ use crate::model::{Conditions, NodeMotion, State};
 type Axes<'a> = (&'a [Option<Box<OwnAxes>>], &'a [Frame]);
 
 /// A state under trial.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Trial {
     /// As predicted.
     pub base: State,
@@ -40,6 +40,26 @@ pub(super) struct Trial {
 }
 
 impl Trial {
+    /// A trial that is equal to `state`.
+    pub fn new(state: &State, conditions: Conditions, sharing: Sharing) -> Self {
+        let nodes = state.nodes.len();
+        let still = Increment {
+            parameters: Vector3::zeros(),
+            rate: Vector3::zeros(),
+        };
+        Self {
+            base: state.clone(),
+            state: state.clone(),
+            conditions,
+            turns: vec![still; nodes],
+            gammas: vec![[Vector3::zeros(); 2]; nodes],
+            since: 0.0,
+            axes: vec![Matrix3::identity(); nodes],
+            sharing,
+            held: [(); 2].map(|()| vec![Matrix3::identity(); nodes]),
+        }
+    }
+
     /// The motion of the nodes at `since` \[s\] after the `latest` state, from numbers and their rates.
     pub fn predict(
         &mut self,
