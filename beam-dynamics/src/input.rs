@@ -94,7 +94,7 @@ mod test_files;
 #[cfg(test)]
 mod tests;
 
-pub use aerodynamics::{AirProblem, StripProblem};
+pub use aerodynamics::{AirProblem, FamilyProblem, StripProblem};
 pub use blade_file::{BladeSettings, is_blade_file, read_blade};
 pub use blades::BladeProblem;
 pub use columns::ColumnProblem;
@@ -116,6 +116,7 @@ pub use problem::InputProblem;
 pub use readings::ReadingProblem;
 pub use rotors::RotorProblem;
 pub use stability::StabilityProblem;
+pub use strips::InflowProblem;
 pub use summary::Summary;
 pub use sweep::SweepProblem;
 pub use transient::TransientProblem;
@@ -468,13 +469,13 @@ fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) 
     aerodynamics::check_mach(root, air, (&rotation, analyses.highest_start()), limits);
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
     aerodynamics::check_ground(root, air, &rotation.center);
-    let end = analyses.times().map(|[_, end]| end);
-    let nodes = builder.blades().iter().flat_map(|blade| &blade.nodes);
-    let radii = nodes.filter_map(|node| Some(hub.distance(&builder.nodes().get(*node)?.position)));
-    let radius = radii.fold(0.0, f64::max);
-    if let Some(end) = end {
-        aerodynamics::check_boxes(root, air, (&rotation.center, radius), end);
+    if let Some([_, end]) = analyses.times() {
+        let frame = &air.wind().frame;
+        let extents = builder.air_blades().iter();
+        let extents = extents.filter_map(|blade| blade.extent(frame));
+        aerodynamics::check_boxes(root, air, extents, end);
     }
+    strips::check_inflows(root, builder);
 }
 
 /// The input if the model is complete.

@@ -18,7 +18,7 @@ fuzz_target!(|bytes: &[u8]| {
             named,
         };
         match read_loads(&path, &positions) {
-            Ok(instants) => assert!(instants.iter().all(|one| !one.points.is_empty())),
+            Ok(loads) => assert!(loads.instants.iter().all(|one| !one.points.is_empty())),
             Err(problems) => assert!(!problems.to_string().is_empty()),
         }
     }

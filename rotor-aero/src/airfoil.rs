@@ -13,6 +13,7 @@ mod data;
 mod evaluated;
 pub mod files;
 mod formula;
+mod merged;
 mod mirror;
 mod naca0012;
 mod plain_flap;

@@ -22,7 +22,7 @@ mod without;
 
 pub use disk::{Disk, DiskFlow, DiskLoads};
 pub use drees::Drees;
-pub use ground::ground_effect;
+pub use ground::{ground_effect, ground_effect_of_thrust};
 pub use mangler_squire::{Loading, ManglerSquire};
 pub use mass_flow::{MassFlow, steady_uniform};
 pub use model::InflowModel;

@@ -22,16 +22,15 @@
 //! References: [Masarati], 5.9.
 
 use crate::airfoil::{Flow, Section};
-use crate::momentum::Options;
 use crate::real::Real;
-use crate::unsteady::{self, Model, Polar, SectionFlow, SectionForce};
-use crate::wake::TimeScale;
+use crate::unsteady::{self, Model, Polar, QuasiSteady, SectionFlow, SectionForce};
 use crate::wind::Atmosphere;
 
 #[cfg(test)]
 mod flap_tests;
 #[cfg(test)]
 mod friction_tests;
+mod induced;
 mod linear;
 mod mach;
 mod polar;
@@ -39,6 +38,7 @@ mod report;
 mod ring;
 
 pub use crate::unsteady::{Flap, SectionModel};
+pub use induced::{AnnularInflow, StripInflow, Wake};
 pub use linear::StripJacobian;
 pub use mach::BeyondMach;
 pub use report::{ReportNumber, StripReport};
@@ -67,7 +67,7 @@ pub struct StripFlow<T> {
 /// Numbers of a [`StripFlow`], in its order.
 pub const FLOW: usize = 10;
 /// Most unknowns of a strip.
-pub const STATES: usize = 15;
+pub const STATES: usize = 16;
 /// Loads of a strip: force along x, y, z and moment.
 pub const LOADS: usize = 4;
 /// Most outputs of a strip: its loads, then a row for each of its unknowns.
@@ -97,49 +97,6 @@ pub struct ActingAir<'a> {
     pub part: f64,
 }
 
-/// Wake of an annulus.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Wake {
-    /// In equilibrium with the loads at all times.
-    #[default]
-    Equilibrium,
-    /// With the two lags of Oye and the given time constants, by the velocities of the annulus.
-    Dynamic(TimeScale),
-}
-
-/// Inflow by the momentum of an annulus.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AnnularInflow {
-    /// Number of blades.
-    pub blades: usize,
-    /// Radius at which the blades begin [m].
-    pub hub_radius: f64,
-    /// Switches.
-    pub options: Options,
-    /// Wake.
-    pub wake: Wake,
-}
-
-/// Inflow of a strip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StripInflow {
-    /// By the momentum of its annulus.
-    Annular(AnnularInflow),
-    /// The same, distributed over the azimuth: the velocity at the strip is an unknown before the mean
-    /// of the annulus. Its row has the value of the unknown, from which the user of the strip subtracts
-    /// the distribution's.
-    Skewed(AnnularInflow),
-    /// By a model of the disk: the velocity against the shaft is an unknown of the strip, its row has
-    /// the value of the unknown, from which the user of the strip subtracts the model's.
-    Disk,
-}
-
-impl From<AnnularInflow> for StripInflow {
-    fn from(inflow: AnnularInflow) -> Self {
-        Self::Annular(inflow)
-    }
-}
-
 impl<T: Real> StripFlow<T> {
     /// The flow from its numbers.
     pub fn from_numbers(of: &[T; FLOW]) -> Self {
@@ -152,6 +109,11 @@ impl<T: Real> StripFlow<T> {
             flap: of[9],
         }
     }
+}
+
+/// The velocity of a section against the air with the induced velocities of an annulus.
+fn annular<T: Real>(flow: &StripFlow<T>, axes: &[[T; 2]; 2], [u, v]: [T; 2]) -> [T; 2] {
+    [0, 1].map(|i| flow.velocity[i] + u * axes[0][i] + v * axes[1][i])
 }
 
 /// In-plane axes of the annulus in the airfoil axes: n and t, see the module.
@@ -192,13 +154,19 @@ pub struct Strip {
     of_inflow: usize,
 }
 
-/// Unknowns of the inflow: induced velocities, and the first stage of the dynamic wake.
-const INDUCED: [&str; 4] = [
+/// Unknowns of the inflow: induced velocities, the first stage of the dynamic wake, and the velocities
+/// of the steady state that it may follow.
+const INDUCED: [&str; 6] = [
     "induced velocity along the shaft",
     "induced velocity around the shaft",
     "first lag of the velocity along the shaft",
     "first lag of the velocity around the shaft",
+    "steady velocity along the shaft",
+    "steady velocity around the shaft",
 ];
+
+/// Unknowns of a dynamic wake with rates.
+const LAGGED: usize = 4;
 
 /// The velocity at a strip that a model of the disk gives.
 const AT_STRIP: StripState = StripState {
@@ -210,17 +178,15 @@ const AT_STRIP: StripState = StripState {
 
 /// The unknowns of an annulus, the first with its name.
 fn of_annulus(inflow: &AnnularInflow, first: &'static str) -> Vec<StripState> {
-    let count = match inflow.wake {
-        Wake::Equilibrium => 2,
-        Wake::Dynamic(_) => 4,
-    };
+    let count = inflow.wake.unknowns();
     let names = std::iter::once(&first).chain(&INDUCED[1..count]);
+    let names = names.enumerate();
     names
-        .map(|name| StripState {
+        .map(|(number, name)| StripState {
             name,
             unit: "m/s",
             row_unit: "m^2/s^2",
-            has_rate: count == 4,
+            has_rate: count >= LAGGED && number < LAGGED,
         })
         .collect()
 }
@@ -232,7 +198,7 @@ impl Strip {
             None => Vec::new(),
             Some(StripInflow::Disk) => vec![AT_STRIP],
             Some(StripInflow::Annular(inflow)) => of_annulus(&inflow, INDUCED[0]),
-            Some(StripInflow::Skewed(inflow)) => {
+            Some(StripInflow::Distributed(inflow)) => {
                 let mut states = of_annulus(&inflow, "mean induced velocity of the annulus");
                 states.insert(0, AT_STRIP);
                 states
@@ -353,13 +319,33 @@ impl Strip {
         out[LOADS..LOADS + first].copy_from_slice(&induced[..first]);
         if let Some(inflow) = annulus {
             let loads = [force.along, force.normal];
-            let ring = Ring::new(inflow, air.still.density, RingFlow::of(flow, &axes, &loads));
-            ring.rows(
-                (&induced[first..], &induced_rates[first..]),
-                &mut out[LOADS + first..LOADS + self.of_inflow],
-            );
+            let ring = |loads: [T; 2]| {
+                Ring::new(inflow, air.still.density, RingFlow::of(flow, &axes, &loads))
+            };
+            let rows = &mut out[LOADS + first..LOADS + self.of_inflow];
+            let (own, steady) = rows.split_at_mut(rows.len().min(LAGGED));
+            ring(loads).rows((&induced[first..], &induced_rates[first..]), own);
+            if let [_, _, _, _, u, v] = induced[first..] {
+                let velocity = annular(flow, &axes, [u, v]);
+                let force = self.static_section(air, (velocity, flow.pitch_rate, flow.flap));
+                ring([force.along, force.normal]).equilibrium([u, v], steady);
+            }
         }
         out
+    }
+
+    /// Forces of the section by its static coefficients in the velocity against the air.
+    fn static_section<T: Real>(
+        &self,
+        air: ActingAir<'_>,
+        (velocity, pitch_rate, deflection): ([T; 2], T, T),
+    ) -> SectionForce<T> {
+        let rigid = self.rigid(air, velocity, pitch_rate);
+        let flow = self.deflected(rigid, deflection);
+        let strip = self.constants(air);
+        // The model without states has no rows.
+        let force = QuasiSteady.evaluate(&strip, &self.polar, &flow, &[], &[], &mut []);
+        SectionForce::part_of(force, air.part)
     }
 
     /// Friction of the flow along the span, per length [N/m].
@@ -377,16 +363,13 @@ impl Strip {
 
     /// Velocity of the section against the air, without the velocity along the span.
     fn velocity<T: Real>(&self, flow: &StripFlow<T>, axes: &[[T; 2]; 2], induced: &[T]) -> [T; 2] {
-        [0, 1].map(|i| {
-            let annular = |u: &T, v: &T| *u * axes[0][i] + *v * axes[1][i];
-            let own = flow.velocity[i];
-            match (&self.inflow, induced) {
-                (Some(StripInflow::Disk), [u]) => own + *u * flow.shaft[i],
-                (Some(StripInflow::Annular(_)), [u, v, ..]) => own + annular(u, v),
-                (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => own + annular(u, v),
-                _ => own,
-            }
-        })
+        let own = [flow.velocity[0], flow.velocity[1]];
+        match (&self.inflow, induced) {
+            (Some(StripInflow::Disk), [u]) => [0, 1].map(|i| own[i] + *u * flow.shaft[i]),
+            (Some(StripInflow::Annular(_)), [u, v, ..]) => annular(flow, axes, [*u, *v]),
+            (Some(StripInflow::Distributed(_)), [u, _, v, ..]) => annular(flow, axes, [*u, *v]),
+            _ => own,
+        }
     }
 
     /// The flow at the section without a flap, of its velocity against the air.
@@ -449,11 +432,7 @@ impl Strip {
             for ((row, state), rate) in rows.iter_mut().zip(states).zip(rates) {
                 *row = *state + *rate;
             }
-            return SectionForce {
-                along: T::from(0.0),
-                normal: T::from(0.0),
-                moment: T::from(0.0),
-            };
+            return SectionForce::part_of(None, air.part);
         }
         let flow = self.deflected(rigid, deflection);
         let of_flap = self.flap.as_ref();
@@ -461,14 +440,10 @@ impl Strip {
         let force = self
             .model
             .evaluate(&strip, &self.polar, &flow, states, rates, rows);
-        let scaled = |of: fn(&SectionForce<T>) -> T| match &force {
-            Some(force) => of(force) * air.part,
-            None => T::from(0.0),
-        };
+        let force = SectionForce::part_of(force, air.part);
         SectionForce {
-            along: scaled(|force| force.along),
-            normal: scaled(|force| force.normal),
-            moment: scaled(|force| force.moment) + of_flap.unwrap_or_else(T::zero),
+            moment: force.moment + of_flap.unwrap_or_else(T::zero),
+            ..force
         }
     }
 }

@@ -54,7 +54,7 @@ mod uniform_file;
 pub use atmosphere::{Atmosphere, AtmosphereInput};
 pub use bladed::{BladedInput, read_bladed, write_bladed};
 pub use bts::{read_bts, write_bts};
-pub use coverage::TooSmall;
+pub use coverage::{Extent, TooSmall};
 pub use event::{Event, EventShape};
 pub use field::{Wind, WindField};
 pub use frame::WindFrame;

@@ -160,6 +160,14 @@ impl Terminal<'_> {
         }
     }
 
+    /// Shows warnings about a file.
+    fn warn(&mut self, file: &Path, warnings: &[String]) -> io::Result<()> {
+        for text in warnings {
+            writeln!(self.out, "  warning: {text}")?;
+        }
+        self.warn_if_quiet(file, warnings)
+    }
+
     /// Reports warnings about a file that no report shows.
     fn warn_if_quiet(&mut self, file: &Path, warnings: &[String]) -> io::Result<()> {
         let mut shown = warnings.iter().filter(|_| self.is_quiet);

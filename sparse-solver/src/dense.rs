@@ -14,6 +14,13 @@ pub fn eigenvalues(matrix: MatRef<'_, f64>) -> Vec<c64> {
     values_and_vectors(matrix, None)
 }
 
+/// All eigenvalues of the square matrix with entries `entries`, column by column, as
+/// [`eigenvalues`].
+pub fn eigenvalues_of(entries: &[f64]) -> Vec<c64> {
+    let n = entries.len().isqrt();
+    eigenvalues(MatRef::from_column_major_slice(entries, n, n))
+}
+
 /// Eigenvalues and right eigenvectors.
 #[derive(Debug)]
 pub struct Eigenvectors {

@@ -1,7 +1,7 @@
 //! Solution of systems of equations, independent of nodes and elements: sparse LU on a fixed
-//! pattern with pivots that are kept from matrix to matrix, linear systems by products alone,
-//! Newton's method with a status, eigenvalues of dense matrices and of maps, and the minimal form of
-//! descriptor systems.
+//! pattern with pivots that are kept from matrix to matrix, sparse Cholesky factors, linear systems by
+//! products alone, Newton's method with a status, eigenvalues of dense matrices and of maps, and the
+//! minimal form of descriptor systems.
 //!
 //! A crate of its own, so that its kernels are optimized in every profile. Functions that take
 //! time are therefore not generic: generic ones are compiled where they are used.
@@ -27,6 +27,7 @@
 //! ```
 
 mod arnoldi;
+mod cholesky;
 mod dense;
 mod descriptor;
 mod general;
@@ -40,7 +41,10 @@ mod scales;
 mod step;
 
 pub use arnoldi::{Largest, LinearMap, Ritz, largest};
-pub use dense::{Eigenvectors, eigenvalues};
+pub use cholesky::{
+    Cholesky, CholeskyBlocks, CholeskyError, CholeskyNumber, Definiteness, Triangle, minimum_degree,
+};
+pub use dense::{Eigenvectors, eigenvalues, eigenvalues_of};
 pub use descriptor::{Descriptor, DescriptorState, Minimal, NotMinimal, minimal};
 pub use gmres::{Gmres, gmres, norm, orthogonalize};
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};

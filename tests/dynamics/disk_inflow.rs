@@ -164,6 +164,65 @@ fn hover_has_the_thrust_of_the_closed_form() {
     }
 }
 
+/// The rotor with the active twist at the listed pitches at three quarters of the radius: thrusts
+/// in pounds with half of one as their last digit, 1.4e-4 of the smallest; and the pitches for 5133 pounds
+/// with the root of the blades at a fifth or at .027 of the radius, of which half of the last digit,
+/// 5e-4 degrees, is 1.3e-4 of the thrust. Angles are divided by 20, as above.
+#[test]
+fn hover_of_the_active_twist_rotor_has_the_listed_thrusts() {
+    let path = "/tests/reference/theory-rotor/aero_hover.json";
+    let text = std::fs::read_to_string(format!("{}{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let it: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let it = &it["atr"];
+    let list = |value: &serde_json::Value| -> Vec<f64> {
+        let items = value.as_array().unwrap().iter();
+        items.map(|item| item.as_f64().unwrap()).collect()
+    };
+    let listed = it["thrust_lb_theta75"].as_object().unwrap().iter();
+    let listed =
+        listed.map(|(pitch, thrust)| (pitch.parse().unwrap(), 0.0, thrust.as_f64().unwrap()));
+    let hover = &it["hover_with_thrust_5133"];
+    let needed = list(&hover["theta75_deg"]);
+    let needed = needed.into_iter().zip(list(&hover["root_cutout"]));
+    let target = it["thesis_thrust"].as_f64().unwrap();
+    let rows: Vec<(f64, f64, f64)> = listed
+        .chain(needed.map(|(pitch, root)| (pitch, root, target)))
+        .collect();
+    // Slugs per cubic foot, feet, and radians per second.
+    let (density, radius, speed) = (it["rho_air"].as_f64().unwrap(), 28.0, 22.25);
+    let pounds = density * PI * f64::powi(radius, 2) * f64::powi(speed * radius, 2);
+    let size = DENSITY * PI * RADIUS.powi(2) * (SPEED * RADIUS).powi(2);
+    let scale = 20.0;
+    for (pitch, root, expected) in rows {
+        let rotor = Rotor {
+            scale,
+            pitch,
+            root: root * RADIUS,
+            ..Rotor::default()
+        };
+        let found = rotor.thrust() / size * scale * scale * pounds;
+        let error = (found / expected - 1.0).abs();
+        let case = format!("active-twist rotor in hover, pitch {pitch} deg, root at {root} R");
+        let source = "independent program (aero_hover.json)";
+        record::value(source, &case, "thrust [lb]", [found, expected], error, 3e-4);
+        assert!(error < 3e-4, "{case}: {found} {expected}");
+    }
+    // Annuli with the loss at the tip, with the angles as they are (hover_atr.json).
+    let rotor = Rotor {
+        kind: "annular momentum",
+        pitch: 4.0,
+        root: 0.027 * RADIUS,
+        inflow: "hub_loss = false\nswirl = false\n",
+        ..Rotor::default()
+    };
+    let (found, expected) = (rotor.thrust() / size * pounds, 3679.0);
+    let error: f64 = (found / expected - 1.0).abs();
+    let case = "active-twist rotor in hover, pitch 4 deg, annuli with the loss at the tip";
+    let source = "independent program (hover_atr.json)";
+    record::value(source, case, "thrust [lb]", [found, expected], error, 5e-3);
+    assert!(error < 5e-3, "{case}: {found} {expected}");
+}
+
 /// With the angles as they are, the thrust of the strips is the momentum of the disk: Gauss points of
 /// the strips and of the reference differ by less than 1e-9; the mass flow is rounded by 1e-5 of the tip
 /// speed, of an induced velocity of .045 of it: 2.5e-8.
@@ -196,6 +255,49 @@ fn thrust_is_the_momentum_of_the_disk() {
         let source = "momentum theory";
         record::value(source, &case, "thrust [N]", [found, expected], error, 1e-6);
         assert!(error < 1e-6, "{case}: {found} {expected}");
+    }
+}
+
+/// Momentum of each annulus without losses and swirl, with the factor k of the ground on the velocity at
+/// the blades: `4 pi r rho u^2 = B l cos(phi)`, `tan(phi) = k u / (Omega r)`. The mass flow is rounded
+/// by 1e-3 m/s, of 2 m/s and more.
+#[test]
+fn annuli_above_the_ground_have_its_factor() {
+    let root = 0.5;
+    for (inflow, factor) in [("", 1.0), ("ground = -4\n", 1.0 - (RADIUS / 16.0).powi(2))] {
+        let rotor = Rotor {
+            kind: "annular momentum",
+            root,
+            inflow: &format!("{inflow}tip_loss = false\nhub_loss = false\nswirl = false\n"),
+            ..Rotor::default()
+        };
+        let cells = 1000;
+        let width = (RADIUS - root) / f64::from(cells);
+        let sum = (0..cells).map(|cell| {
+            let radius = root + width * (f64::from(cell) + 0.5);
+            let lift = |u: f64| {
+                let (through, around) = (factor * u, SPEED * radius);
+                let flow = through.atan2(around);
+                let pressure = 0.5 * DENSITY * (through * through + around * around);
+                4.0 * pressure * rotor.chord() * SLOPE * (rotor.angle(radius) - flow) * flow.cos()
+            };
+            let (mut low, mut high) = (0.0, SPEED * RADIUS);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if lift(middle) > 4.0 * PI * radius * DENSITY * middle * middle {
+                    low = middle
+                } else {
+                    high = middle
+                }
+            }
+            lift(low) * width
+        });
+        let (found, expected) = (rotor.thrust(), sum.sum::<f64>());
+        let error = (found / expected - 1.0).abs();
+        let case = format!("annuli in hover, {}", inflow.trim());
+        let source = "momentum of annuli";
+        record::value(source, &case, "thrust [N]", [found, expected], error, 1e-5);
+        assert!(error < 1e-5, "{case}: {found} {expected}");
     }
 }
 
@@ -409,38 +511,9 @@ fn yaw_moves_the_thrust_to_the_windward_side() {
     assert!((-0.2..-0.01).contains(&arm), "{arm}");
 }
 
-#[test]
-fn keys_of_other_kinds_are_refused() {
-    for (kind, line, expected) in [
-        (
-            "uniform",
-            "tip_loss = true",
-            "\"tip_loss\", which belongs to kind = \"annular momentum\"",
-        ),
-        (
-            "annular momentum",
-            "ground = 0",
-            "\"ground\", which belongs to a model of the disk",
-        ),
-        ("Drees", "effective_radius = 1.2", "expected at most 1"),
-        (
-            "uniform",
-            "hub = \"masts\"",
-            "unknown node \"masts\" in inflow \"rotor\"",
-        ),
-        (
-            "uniform",
-            "axis = [0, 0, 1]",
-            "\"axis\", which belongs to a \"hub\"",
-        ),
-        (
-            "uniform",
-            "ground = 4.5",
-            "has its ground at 4.5 m along the vertical, and the center of the rotor is at 0 m",
-        ),
-        ("Drees", "ground = 0", "is a coordinate, not a height"),
-        ("dress", "", "did you mean \"Drees\""),
-    ] {
+/// Asserts that a line of an inflow of a kind is refused with some words.
+fn assert_refused(lines: &[[&str; 3]]) {
+    for [kind, line, expected] in lines {
         let rotor = Rotor {
             kind,
             inflow: line,
@@ -450,6 +523,76 @@ fn keys_of_other_kinds_are_refused() {
         let text = problems.to_string();
         assert!(text.contains(expected), "{kind} {line}: {text}");
     }
+}
+
+#[test]
+fn keys_of_other_kinds_are_refused() {
+    assert_refused(&[
+        [
+            "uniform",
+            "tip_loss = true",
+            "\"tip_loss\", which belongs to kind = \"annular momentum\"",
+        ],
+        [
+            "annular momentum",
+            "radius = 4",
+            "\"radius\", which belongs to a model of the disk",
+        ],
+        [
+            "annular momentum",
+            "ground = 0.5",
+            "has its ground at 0.5 m along the vertical, and the center of the rotor is at 0 m",
+        ],
+        [
+            "annular momentum",
+            "forcing = \"steady\"",
+            "\"forcing\", which belongs to wake = \"dynamic\" or \"hover\"",
+        ],
+        [
+            "annular momentum",
+            "wake = \"frozen\"\nforcing = \"lagged\"",
+            "\"forcing\", which belongs to wake = \"dynamic\" or \"hover\"",
+        ],
+        [
+            "Drees",
+            "forcing = \"steady\"",
+            "\"forcing\", which belongs to kind = \"annular momentum\"",
+        ],
+        [
+            "annular momentum",
+            "hub_loss = false\nhub_radius = 0.5",
+            "\"hub_radius\", which belongs to hub_loss = true",
+        ],
+        [
+            "annular momentum",
+            "swirl = false\ntangential_drag = false",
+            "\"tangential_drag\", which belongs to swirl = true",
+        ],
+    ]);
+}
+
+#[test]
+fn wrong_values_of_inflows_are_refused() {
+    assert_refused(&[
+        ["Drees", "effective_radius = 1.2", "expected at most 1"],
+        [
+            "uniform",
+            "hub = \"masts\"",
+            "unknown node \"masts\" in inflow \"rotor\"",
+        ],
+        [
+            "uniform",
+            "axis = [0, 0, 1]",
+            "\"axis\", which belongs to a \"hub\"",
+        ],
+        [
+            "uniform",
+            "ground = 4.5",
+            "has its ground at 4.5 m along the vertical, and the center of the rotor is at 0 m",
+        ],
+        ["Drees", "ground = 0", "is a coordinate, not a height"],
+        ["dress", "", "did you mean \"Drees\""],
+    ]);
 }
 
 /// Rotors in wind across the shaft start with every model of sections: the momentum of an added mass

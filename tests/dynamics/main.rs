@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
 mod air_output;
+mod annular_wake;
 mod articulated;
 mod beam_statics;
 mod bearingless;
@@ -65,7 +66,9 @@ mod superposed;
 mod swinging;
 mod tm4760;
 mod trim;
+mod turbine_in_time;
 mod turbine_modes;
+mod turning_axes;
 mod uniform_beam;
 mod vacuum;
 mod variational_beam;

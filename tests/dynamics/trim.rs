@@ -10,6 +10,7 @@ mod flapping;
 mod free_flight;
 mod puma;
 mod turbine;
+mod two_rotors;
 mod wind_tunnel;
 
 /// The trim of a file in radians and SI units.

@@ -89,12 +89,18 @@ fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
     result
 }
 
-/// The root at the value `index` of a name, or of a mode that begins with the name.
+/// The root at the value `index` of a name, or of the first mode there that begins with the name.
 fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a StabilityRoot {
-    let exact = result.modes.iter().position(|own| own == name);
-    let mode = exact.or_else(|| result.modes.iter().position(|own| own.starts_with(name)));
-    let mode = mode.unwrap_or_else(|| panic!("no {name} among {:?}", result.modes));
-    result.points[index].root_of(mode).unwrap()
+    let fits = |exact: bool| {
+        let modes = result.modes.iter().enumerate();
+        let mut modes = modes.filter(move |(_, own)| match exact {
+            true => *own == name,
+            false => own.starts_with(name),
+        });
+        modes.find_map(|(mode, _)| result.points[index].root_of(mode))
+    };
+    let found = fits(true).or_else(|| fits(false));
+    found.unwrap_or_else(|| panic!("no {name} among {:?}", result.modes))
 }
 
 // The blades of a whirl have one frequency f in turning axes, up to the small coupling by the wake, and the
@@ -176,17 +182,18 @@ fn a_whirl_decays_in_time_as_its_eigenvalue_says() {
 }
 
 // Without air nothing is damped: the growth of a mode falls in proportion to the density. Whirls have the
-// growth of their collective mode, and without air blades that do not act on each other have any waves.
+// growth of their collective mode, and without air blades that do not act on each other have any waves. The
+// least growth, of the edgewise modes, is some 1e-6 1/s, thirty times the round-off of the eigenvalues.
 #[test]
 fn the_damping_by_air_ends_with_the_air() {
     let result = over(
         &text("frozen", "quasi_steady"),
         "density",
-        "[5e-6, 1e-5, 2e-5]",
+        "[5e-5, 1e-4, 2e-4]",
     );
     for name in ["flap 1", "flap 2", "edge 1"] {
         let growth = [0, 1, 2].map(|index| root(&result, index, name).growth());
-        assert!(growth[0] < 0.0 && growth[0] > -1e-4, "{name}: {growth:?}");
+        assert!(growth[0] < 0.0 && growth[0] > -1e-3, "{name}: {growth:?}");
         for pair in growth.windows(2) {
             assert!((pair[1] / pair[0] - 2.0).abs() < 0.01, "{name}: {growth:?}");
         }

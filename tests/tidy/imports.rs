@@ -50,6 +50,7 @@ pub const CRATES: [Stages; 4] = [
             "step",
             "newton",
             "gmres",
+            "cholesky",
             "dense",
             "descriptor",
             "arnoldi",

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use rotor_aero::airfoil::files::blade::recognize_blade;
 use rotor_aero::airfoil::files::{self, Format, ReadAirfoil, Reading, Writing};
 use rotor_aero::airfoil::{AirfoilProblem, BUILT_IN, Viterna};
 use shared_geom::error::{Diagnostics, Explain, nearest_name};
@@ -88,6 +89,12 @@ fn ratio(text: &str) -> Result<f64, String> {
 enum AirfoilRefusal {
     #[error("\"{file}\" is neither a file nor a built-in airfoil")]
     NoFile { file: String },
+    #[error("\"{file}\" is {what}, expected tables of an airfoil")]
+    Blade {
+        file: String,
+        what: String,
+        help: String,
+    },
     #[error("no airfoil \"{name}\" in the file, which has {count}")]
     NoName {
         name: String,
@@ -128,6 +135,7 @@ impl Explain for AirfoilRefusal {
                  .csv, .pc"
                     .to_owned(),
             ),
+            Self::Blade { help, .. } => Some(help.clone()),
             Self::Input { .. } => Some("give the output another name".to_owned()),
             Self::Change { problem, .. } => problem.help(),
         }
@@ -293,8 +301,11 @@ fn read(paths: &[PathBuf]) -> Result<Tables, Stop> {
     if !missing.is_empty() {
         return Err(Stop::Refusal(missing));
     }
-    let readings = paths.iter().map(|path| files::read(path));
-    let readings = readings.collect::<Result<Vec<Reading>, Diagnostics>>()?;
+    let readings = paths.iter().map(|path| {
+        let refused = |problems| blade(path).map_or(Stop::File(problems), Stop::from);
+        files::read(path).map_err(refused)
+    });
+    let readings = readings.collect::<Result<Vec<Reading>, Stop>>()?;
     let reading = match <[Reading; 1]>::try_from(readings) {
         Ok([only]) => only,
         Err(several) => files::merge(several)?,
@@ -304,6 +315,28 @@ fn read(paths: &[PathBuf]) -> Result<Tables, Stop> {
         format: Some(reading.format),
         airfoils: reading.airfoils,
         remarks: reading.remarks,
+    })
+}
+
+/// The refusal of a file that describes a blade.
+fn blade(path: &Path) -> Option<AirfoilRefusal> {
+    let file = path.display().to_string();
+    if file.ends_with(".blade.toml") {
+        let help = format!("run \"beam-dynamics check {file}\"");
+        let what = "a blade file, of stiffness and mass".to_owned();
+        return Some(AirfoilRefusal::Blade { file, what, help });
+    }
+    let text = std::fs::read(path).ok()?;
+    let text = String::from_utf8_lossy(&text);
+    // A file with tables of airfoils is one, whatever else it contains.
+    let is_open = matches!(files::recognize(&text, path), None | Some(Format::Csv));
+    let format = recognize_blade(&text).filter(|_| is_open)?;
+    Some(AirfoilRefusal::Blade {
+        file,
+        what: format!("the geometry of a blade ({})", format.title()),
+        help: "name it as \"file\" of [rotor] in a rotor file, NAME.rotor.toml, and run \
+               \"beam-dynamics performance NAME.rotor.toml\""
+            .to_owned(),
     })
 }
 

@@ -389,18 +389,17 @@ impl LocalJacobian {
         sums.zip(values).for_each(|(sum, value)| *sum += value);
     }
 
-    /// Converts the derivatives by the rotation and angular velocity of a node into derivatives by
-    /// u and u', with `theta = turn du`, `d omega = turn du' + rate_by_turn du`; `touched` are the
-    /// entries in the first of these columns, next to which are the other columns' entries.
+    /// Converts the derivatives by a vector of a node and by its rate into derivatives by u and u',
+    /// with `theta = turn du`, `d omega = turn du' + rate_by_turn du` for a rotation; `touched` are
+    /// the entries in the first of these columns, next to which are the other columns' entries.
     pub fn turn(
         &mut self,
-        node: usize,
+        (node, vector): (usize, Variable),
         touched: &[LocalRun],
-        turn: &Matrix3<f64>,
-        rate_by_turn: &Matrix3<f64>,
+        [turn, rate_by_turn]: &[Matrix3<f64>; 2],
     ) {
         let n = self.by_unknowns.nrows();
-        let first = n * (NODE_UNKNOWNS * node + Variable::Rotation.column());
+        let first = n * (NODE_UNKNOWNS * node + vector.column());
         let still = *turn == Matrix3::identity();
         let theta = self.by_unknowns.as_mut_slice();
         if !still {
@@ -450,8 +449,7 @@ impl LocalJacobian {
 fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {
-        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
-        (a[i], a[n + i], a[2 * n + i]) = (row[0], row[1], row[2]);
+        [a[i], a[n + i], a[2 * n + i]] = times([a[i], a[n + i], a[2 * n + i]], m);
     }
 }
 
@@ -459,11 +457,19 @@ fn map_columns(a: &mut [f64], touched: &[LocalRun], first: usize, m: &Matrix3<f6
 fn add_mapped(b: &mut [f64], a: &[f64], (touched, first): (&[LocalRun], usize), m: &Matrix3<f64>) {
     let n = a.len() / 3;
     for i in rows(touched, first) {
-        let row = RowVector3::new(a[i], a[n + i], a[2 * n + i]) * m;
+        let row = times([a[i], a[n + i], a[2 * n + i]], m);
         for k in 0..3 {
             b[n * k + i] += row[k];
         }
     }
+}
+
+/// The row `a M`.
+#[inline]
+fn times(a: [f64; 3], m: &Matrix3<f64>) -> [f64; 3] {
+    let entry = |column: &[f64; 3]| a[0] * column[0] + a[1] * column[1] + a[2] * column[2];
+    let [first, second, third] = &m.data.0;
+    [entry(first), entry(second), entry(third)]
 }
 
 /// Rows of entries in a column that begins at entry `first`.

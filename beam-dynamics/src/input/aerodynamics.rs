@@ -12,6 +12,7 @@ mod air;
 mod airfoil_files;
 mod airfoils;
 mod changes;
+pub(super) mod family;
 mod inflows;
 mod mach;
 mod problem;
@@ -19,6 +20,7 @@ pub(super) mod switches;
 mod unsteady;
 
 pub use air::AirProblem;
+pub use family::FamilyProblem;
 pub use problem::StripProblem;
 
 pub(super) use air::{CARD as AIR, check_boxes, check_ground, check_mach, check_steady};

@@ -20,6 +20,7 @@ use shared_geom::keys;
 use shared_geom::quadrature;
 
 use super::aerodynamics::MachLimit;
+use super::aerodynamics::family::{self, FAMILY};
 use super::beam_card::Beam;
 use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
@@ -30,12 +31,15 @@ use crate::model::Node;
 mod cards;
 mod files;
 mod flaps;
+mod inflow_check;
 mod line;
 mod rotor;
 mod stations;
 mod unused;
 
 pub(super) use cards::{CARD as STRIP, read as read_cards};
+pub use inflow_check::InflowProblem;
+pub(super) use inflow_check::check as check_inflows;
 pub(super) use line::BladeLine;
 
 use flaps::{FLAPS, Flap};
@@ -64,7 +68,7 @@ keys! {
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
     /// Whether the flow along the span has friction, with the drag at zero angle of attack.
     RADIAL_DRAG: bool = "radial_drag", [Boolean], or "false" = false, "true";
-    with STATIONS.schema, FLAPS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
+    with STATIONS.schema, FAMILY.schema, FLAPS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
         files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
 
@@ -96,12 +100,13 @@ pub(super) fn read(
     let airfoils = &builder.aerodynamics().airfoils;
     let stations = match (table.has(&files::FILE), table.has(&STATIONS)) {
         (true, has_both) => {
+            let has_family = !has_both && family::note_beside_file(table);
             let found = files::read(table, airfoils, (&user, line), &mut remarks);
             if has_both {
                 stations::read(table, airfoils, (&user, line.length));
                 files::note_stations(table);
             }
-            found.filter(|_| !has_both)
+            found.filter(|_| !has_both && !has_family)
         }
         (false, _) => {
             files::note_without_file(table);
@@ -156,7 +161,7 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
         add_blade(
             (&blade, &air.rotor, disk),
             (&beams, strips),
-            limits.clone(),
+            (limits.clone(), blades.len()),
             builder,
         );
     }
@@ -188,7 +193,7 @@ fn placed_beams(beams: Vec<usize>, builder: &ModelBuilder) -> Vec<PlacedBeam> {
 fn add_blade(
     (blade, rotor, disk): (&BladeNodes, &Rotor, Option<Arc<RotorDisk>>),
     (beams, strips): (&[PlacedBeam], &[PlacedStrip]),
-    mach_limits: Vec<MachLimit>,
+    (mach_limits, siblings): (Vec<MachLimit>, usize),
     builder: &mut ModelBuilder,
 ) {
     let Some(air) = builder.aerodynamics().air.clone() else {
@@ -204,7 +209,7 @@ fn add_blade(
         .into_iter()
         .zip(strips.iter().map(|strip| strip.span));
     let of = (blade.name.as_str(), Some(rotor), mach_limits);
-    place(elements, of, radius, builder);
+    place(elements, of, (radius, Some(siblings)), builder);
 }
 
 /// The rotor of the strips of a blade or a card, with the tip at an offset from a node \[m\]; its
@@ -227,11 +232,11 @@ fn strip_rotor(
 }
 
 /// Adds the strips of a blade or a card with their positions on its line \[m\]; `length` is the radius
-/// of the tip, without a rotor the length of the line \[m\].
+/// of the tip, without a rotor the length of the line \[m\]; `siblings` the number of blades of a card.
 fn place(
     strips: impl Iterator<Item = (AirStrip, f64)>,
     (name, rotor, mach_limits): (&str, Option<&Rotor>, Vec<MachLimit>),
-    length: f64,
+    (length, siblings): (f64, Option<usize>),
     builder: &mut ModelBuilder,
 ) {
     let mut placed = AirBlade {
@@ -239,6 +244,9 @@ fn place(
         rotor: rotor.map(|rotor| rotor.name().to_owned()),
         length,
         strips: Vec::new(),
+        points: Vec::new(),
+        shaft: rotor.map(Rotor::start),
+        siblings,
         mach_limits,
     };
     for (number, (element, span)) in strips.enumerate() {
@@ -250,6 +258,7 @@ fn place(
             zero: rotor.map_or_else(Vector3::x, |rotor| rotor.zero),
         });
         let position = rotor.map_or(span, |rotor| rotor.distance(element.start()));
+        placed.points.push(*element.start());
         placed.strips.push((element.label().to_owned(), position));
         builder.add_load(Box::new(element));
     }

@@ -1,6 +1,7 @@
 //! Output of the air at the strips of blades: tables, figures over the span, maps of the disk.
 
 mod disk;
+mod equal;
 mod record;
 mod span;
 mod tables;

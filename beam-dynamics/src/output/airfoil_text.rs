@@ -86,10 +86,11 @@ fn describe(text: &mut String, airfoil: &ReadAirfoil) {
         );
     }
     if !airfoil.unsteady.is_empty() {
-        say(
-            "unsteady",
-            format!("constants of {} tables", airfoil.unsteady.len()),
-        );
+        let words = match airfoil.unsteady.len() {
+            1 => "constants of 1 table".to_owned(),
+            count => format!("constants of {count} tables"),
+        };
+        say("unsteady", words);
     }
     text.push('\n');
     text.push_str(&table(&data.characteristics()));

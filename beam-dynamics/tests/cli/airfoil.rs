@@ -176,7 +176,47 @@ fn faults() -> Folder {
         folder.write(name, &format!("alpha [deg],cl,cd,cm\n{rows}"));
     }
     folder.write("notes.txt", "dear colleague\n");
+    folder.write("blade.dat", &reference("iea15/AeroDyn15_blade.dat"));
+    folder.write("strip.blade.toml", "[format]\n");
     folder
+}
+
+/// Files of blades are named as what they are, with the command that reads them.
+#[test]
+fn files_of_blades_are_no_airfoils() {
+    let folder = faults();
+    for (file, expected, help) in [
+        (
+            "blade.dat",
+            "\"blade.dat\" is the geometry of a blade (AeroDyn 15 blade), expected tables of an airfoil",
+            "name it as \"file\" of [rotor] in a rotor file, NAME.rotor.toml, and run \
+             \"beam-dynamics performance NAME.rotor.toml\"",
+        ),
+        (
+            "strip.blade.toml",
+            "\"strip.blade.toml\" is a blade file, of stiffness and mass, expected tables of an airfoil",
+            "run \"beam-dynamics check strip.blade.toml\"",
+        ),
+    ] {
+        let run = folder.run(&["airfoil", file, "--no-figures"]);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{file}");
+        for part in [expected, help] {
+            assert!(run.err.contains(part), "{part:?} in:\n{}", run.err);
+        }
+    }
+}
+
+/// A polar has the constants of one table.
+#[test]
+fn constants_of_one_table_are_counted() {
+    let folder = Folder::new();
+    folder.write("a.dat", &reference("iea15/AeroDyn15_Polar_20.dat"));
+    let run = folder.run(&["airfoil", "a.dat", "--no-figures"]);
+    assert!(
+        run.out.contains("unsteady          constants of 1 table\n"),
+        "{}",
+        run.out
+    );
 }
 
 #[test]

@@ -47,6 +47,58 @@ fn frequencies_and_damping_of_a_table() {
     }
 }
 
+/// Times in milliseconds give the modes of times in seconds.
+#[test]
+fn times_have_their_unit() {
+    let folder = Folder::new();
+    folder.write("run.csv", &table());
+    assert_eq!(folder.run(&["identify", "run.csv"]).code, 0);
+    let seconds = folder.read("run.identified.csv");
+    let mut text = "time [ms],tip [mm],still [m]\n".to_owned();
+    for row in table().lines().skip(1) {
+        let (time, rest) = row.split_once(',').unwrap();
+        let time = 1e3 * time.parse::<f64>().unwrap();
+        writeln!(text, "{time:.1},{rest}").unwrap();
+    }
+    folder.write("run.csv", &text);
+    assert_eq!(folder.run(&["identify", "run.csv"]).code, 0);
+    let found = folder.read("run.identified.csv");
+    let numbers = |text: &str| -> Vec<f64> {
+        let cells = text.split(['\n', ',']);
+        cells.filter_map(|cell| cell.parse().ok()).collect()
+    };
+    let (found, expected) = (numbers(&found), numbers(&seconds));
+    assert!(found.len() == expected.len() && found.len() > 9);
+    for (found, expected) in found.iter().zip(&expected) {
+        // Conversions of times move the numbers by round-off, amplified by the filters.
+        assert!((found - expected).abs() <= 1e-6 * expected.abs().max(1e-3));
+    }
+
+    folder.write("run.csv", &table().replacen("[s]", "[m]", 1));
+    let run = folder.run(&["identify", "run.csv"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("the unit of \"time\" is \"m\""),
+        "{}",
+        run.err
+    );
+}
+
+/// Missing rows: no interpolation invents the motion in the gap.
+#[test]
+fn gaps_are_reported() {
+    let folder = Folder::new();
+    let whole = table();
+    let rows = whole.lines().enumerate();
+    let kept = rows.filter(|(k, _)| !(500..540).contains(k));
+    let text: Vec<&str> = kept.map(|(_, row)| row).collect();
+    folder.write("run.csv", &(text.join("\n") + "\n"));
+    let run = folder.run(&["identify", "run.csv", "--columns", "tip"]);
+    assert_eq!(run.code, 2, "{}", run.err);
+    let words = "the record has a gap: from 2.49 s to 2.695 s, 40 times its mean step";
+    assert!(run.err.contains(words), "{}", run.err);
+}
+
 #[test]
 fn tables_without_oscillations_are_reported() {
     let folder = Folder::new();

@@ -170,6 +170,18 @@ fn the_power_curve_of_a_turbine_is_the_published_one() {
     assert!((9..=22).all(|index| (rated[index] / 5.29661e6 - 1.0).abs() < 1e-6));
     let loads = Rows::of(&folder, "results/nrel5mw.span_loads.csv", "power curve");
     assert_eq!(loads.rows.len(), 3 * 4 * 17);
+    // a = -u / V, with V + u = W sin(phi).
+    let columns = [
+        "axial induction [-]",
+        "induced velocity [m/s]",
+        "flow speed [m/s]",
+        "inflow angle [deg]",
+    ];
+    let [factor, induced, speed, angle] = columns.map(|name| loads.column(name));
+    for row in 0..factor.len() {
+        let wind = speed[row] * angle[row].to_radians().sin() - induced[row];
+        assert!((factor[row] * wind + induced[row]).abs() < 1e-6, "{row}");
+    }
 }
 
 /// The torque of the case on the shaft of the rotor at its rows: the law of NREL/TP-500-38060, to the

@@ -27,7 +27,7 @@ const APART: f64 = 0.2;
 const TOLERANCE: f64 = 1e-4;
 
 /// A published state: wind \[m/s\], pitch to feather \[deg\], speed \[rpm\], power \[kW\], thrust \[kN\]
-/// and bending of the tip normal to the blade at its root \[m\].
+/// and bending of the tip normal to the blade at its root, which turns with the pitch \[m\].
 type State = [f64; 6];
 
 fn main() -> ExitCode {
@@ -138,11 +138,12 @@ fn steady(case: &Path, [wind, feather, rpm]: [f64; 3]) -> Result<[f64; 3], Box<d
     let tip = nodes.iter().position(|node| node.label == "blade 1/tip");
     let tip = tip.ok_or("no node \"blade 1/tip\"")?;
     let (sin, cos) = CONE.to_radians().sin_cos();
+    let (edge, flap) = feather.to_radians().sin_cos();
     let moved = step.positions[tip] - nodes[tip].position;
     Ok([
         1e-3 * moment * outcome.result.speed,
         1e-3 * force,
-        moved.dot(&Vector3::new(sin, 0.0, cos)),
+        moved.dot(&Vector3::new(sin * flap, edge, cos * flap)),
     ])
 }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::data::{AirfoilData, Curve};
+use super::merged::merged;
 use super::problem::{AirfoilProblem, AirfoilRemark};
 
 /// Ends nearer to 180 deg than this are moved without a remark: the digits of a file \[rad\].
@@ -90,10 +91,10 @@ pub(super) fn checked(data: &AirfoilData) -> Result<Checked, Vec<AirfoilProblem>
     if found.problems.is_empty() {
         Ok(Checked {
             data: checked,
-            remarks: found.remarks,
+            remarks: merged(found.remarks),
         })
     } else {
-        Err(found.problems)
+        Err(merged(found.problems))
     }
 }
 
@@ -140,7 +141,7 @@ fn coefficient(airfoil: &str, kind: &Kind, curves: &[Curve], found: &mut Finding
 type Condition = fn(&Curve) -> Option<f64>;
 
 /// Conditions that only some curves state.
-fn mixed(airfoil: &str, coefficient: &'static str, curves: &[Curve], found: &mut Findings) {
+fn mixed(airfoil: &str, coefficient: &str, curves: &[Curve], found: &mut Findings) {
     let variables: [(&'static str, Condition); 3] = [
         ("Mach number", |curve| curve.mach),
         ("Reynolds number", |curve| curve.reynolds),
@@ -151,8 +152,7 @@ fn mixed(airfoil: &str, coefficient: &'static str, curves: &[Curve], found: &mut
         let absent = curves.len() - given;
         if given > 0 && absent > 0 {
             found.problems.push(AirfoilProblem::Mixed {
-                airfoil: airfoil.to_owned(),
-                coefficient,
+                curve: label(airfoil, coefficient, &Curve::default()),
                 variable,
                 given,
                 absent,

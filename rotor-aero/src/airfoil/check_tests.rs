@@ -116,6 +116,35 @@ fn all_problems_are_reported_with_remedies() {
     assert_eq!(problems(|data| *data = AirfoilData::default()).len(), 2);
 }
 
+/// Lift, drag and moment of the rows of a polar end at the same angles: this is one fault.
+#[test]
+fn a_fault_of_all_columns_is_reported_once() {
+    let found = problems(|data| {
+        for list in [&mut data.lift, &mut data.drag, &mut data.moment] {
+            list[0] = curve(&[(-20.0, 0.1), (0.0, 0.2), (20.0, 0.3)]);
+            list[0].mach = Some(0.3);
+        }
+    });
+    let shown: Vec<_> = found.iter().map(AirfoilProblem::to_string).collect();
+    assert_eq!(
+        shown,
+        ["lift, drag, moment of \"plain\", Mach 0.3: -20 to 20 deg, expected -180 to 180 deg"]
+    );
+    let found = problems(|data| {
+        data.lift.clear();
+        data.drag[0].alpha[0] = -1.0;
+        data.moment[0].alpha[0] = -1.0;
+    });
+    let shown: Vec<_> = found.iter().map(AirfoilProblem::to_string).collect();
+    assert_eq!(
+        shown,
+        [
+            "drag, moment of \"plain\": -57.29578 to 180 deg, expected -180 to 180 deg",
+            "airfoil \"plain\" has no lift curve",
+        ]
+    );
+}
+
 #[test]
 fn curves_must_state_the_same_conditions_and_differ() {
     let twice = |first: Option<f64>, second: Option<f64>| {

@@ -109,6 +109,15 @@ impl Airfoil {
         Self { unsteady, ..self }
     }
 
+    /// The same with a thickness over chord, if one is given \[-\].
+    #[must_use]
+    pub fn with_thickness(self, thickness: Option<f64>) -> Self {
+        Self {
+            thickness: thickness.or(self.thickness),
+            ..self
+        }
+    }
+
     /// Its constants of unsteady models.
     pub fn unsteady(&self) -> &UnsteadyConstants {
         &self.unsteady

@@ -115,14 +115,10 @@ pub enum AirfoilProblem {
         high: f64,
     },
     /// Some curves of a coefficient state a condition, and others do not.
-    #[error(
-        "{coefficient} of \"{airfoil}\": {given} curves state a {variable}, and {absent} do not"
-    )]
+    #[error("{curve}: {given} curves state a {variable}, and {absent} do not")]
     Mixed {
-        /// Name.
-        airfoil: String,
-        /// Name of the coefficient.
-        coefficient: &'static str,
+        /// Coefficient and airfoil.
+        curve: String,
         /// Name of the condition.
         variable: &'static str,
         /// Number of curves with it.

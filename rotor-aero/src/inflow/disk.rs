@@ -21,7 +21,7 @@ use crate::momentum::skew_factor;
 use crate::real::{Real, angle};
 use crate::unsteady::StateName;
 
-use super::ground::ground_effect;
+use super::ground::{ground_effect, ground_effect_of_thrust};
 use super::model::InflowModel;
 use super::rotor::{Inflow, RotorFlow, RotorLoads, linear};
 
@@ -193,16 +193,24 @@ impl Disk {
         mean * (amplitude * aft / self.radius + 1.0)
     }
 
-    /// The factor of the ground on the induced velocity at a height of the hub above the ground [m]
-    /// \[-\]; one for a model without states.
-    pub fn ground_factor<T: Real>(&self, flow: &DiskFlow<T>, states: &[T], height: T) -> T {
+    /// The factor of the ground on the induced velocity at a height of the hub above the ground [m], by
+    /// the mean velocity of the model, or without states by the thrust, in air of a density
+    /// [kg/m^3] \[-\].
+    pub fn ground_factor<T: Real>(
+        &self,
+        (flow, density): (&DiskFlow<T>, f64),
+        (states, thrust): (&[T], T),
+        height: T,
+    ) -> T {
         let axes = WindAxes::new(self, flow);
+        let (height, advance) = (height / self.radius, axes.flow.advance);
         match states.first() {
-            Some(mean) => {
-                let mean = *mean / axes.reference;
-                ground_effect(height / self.radius, axes.flow.advance, mean)
+            Some(mean) => ground_effect(height, advance, *mean / axes.reference),
+            None => {
+                let area = PI * self.radius * self.radius;
+                let size = axes.reference * axes.reference * (density * area);
+                ground_effect_of_thrust(height, advance, thrust / size)
             }
-            None => T::from(1.0),
         }
     }
 

@@ -16,8 +16,8 @@ use num_dual::{Dual64, DualSVec64};
 
 use super::ring::{Ring, RingFlow};
 use super::{
-    ActingAir, AnnularInflow, FLOW, INPUTS, LOADS, OUTPUTS, STATES, Strip, StripFlow, StripInflow,
-    plane,
+    ActingAir, AnnularInflow, FLOW, INPUTS, LAGGED, LOADS, OUTPUTS, STATES, Strip, StripFlow,
+    StripInflow, annular, plane,
 };
 use crate::momentum::Ambient;
 
@@ -65,8 +65,9 @@ struct Velocity {
     values: [f64; 2],
     /// By the components of the shaft along x and y; row of a component of w.
     by_shaft: [[f64; 2]; 2],
-    /// By the first unknowns of the inflow.
+    /// By unknowns of the inflow, from the one with this number on.
     by_induced: [[f64; 2]; 3],
+    first: usize,
 }
 
 impl Velocity {
@@ -77,10 +78,50 @@ impl Velocity {
         for j in 0..2 {
             row[SHAFT + j] += x * self.by_shaft[0][j] + y * self.by_shaft[1][j];
         }
-        let unknowns = row[FLOW..].iter_mut().zip(&self.by_induced);
+        let unknowns = row[FLOW + self.first..].iter_mut().zip(&self.by_induced);
         for (slope, by) in unknowns.take(count) {
             *slope += x * by[0] + y * by[1];
         }
+    }
+}
+
+/// Derivatives of the velocity of a section by the components of the shaft along x and y, with the
+/// induced velocities of an annulus.
+fn by_shaft(flow: &StripFlow<f64>, [n, t]: &[[f64; 2]; 2], [u, v]: [f64; 2]) -> [[f64; 2]; 2] {
+    let length = flow.shaft[0].hypot(flow.shaft[1]);
+    [0, 1].map(|i| [0, 1].map(|j| (u * t[i] - v * n[i]) * t[j] / length))
+}
+
+/// Forces of a section along x and y, and their derivatives by the inputs of the strip.
+struct Forces {
+    values: [f64; 2],
+    by: [[f64; INPUTS]; 2],
+}
+
+impl Forces {
+    /// The forces that act.
+    fn of(out: &StripJacobian) -> Self {
+        Self {
+            values: [out.values[0], out.values[1]],
+            by: [out.by[0], out.by[1]],
+        }
+    }
+}
+
+/// Adds the derivatives of a row of an annulus by the velocity, the shaft and the radii of its flow, by its
+/// slopes by the velocities and forces along n and t and the radii.
+fn add_flow<const N: usize>(
+    row: &mut [f64; INPUTS],
+    by: &[f64; N],
+    ([axial, rotation], force): ([f64; 2], [f64; 2]),
+    (flow, [n, t]): (&[f64; FLOW], [&[f64; 2]; 2]),
+) {
+    let length = flow[SHAFT].hypot(flow[SHAFT + 1]);
+    let turned = by[1] * axial - by[0] * rotation + by[4] * force[1] - by[5] * force[0];
+    for i in 0..2 {
+        row[i] += by[0] * n[i] - by[1] * t[i];
+        row[SHAFT + i] += turned * t[i] / length;
+        row[RADIUS + i] += by[2 + i];
     }
 }
 
@@ -120,12 +161,19 @@ impl Strip {
             out.values[LOADS + k] = at.states[k];
             out.by[LOADS + k][FLOW + k] = 1.0;
         }
-        match annulus {
-            Some(inflow) if self.of_inflow - first == 2 => {
-                self.add_ring::<{ OF_RING + 2 }>(air, (inflow, &axes), at, &mut out);
+        if let Some(inflow) = annulus {
+            let of = (inflow, &axes);
+            let forces = Forces::of(&out);
+            match self.of_inflow - first {
+                2 => self.add_ring::<{ OF_RING + 2 }>(air, of, at, (&forces, first), &mut out),
+                4 => self.add_ring::<{ OF_RING + 8 }>(air, of, at, (&forces, first), &mut out),
+                _ => {
+                    self.add_ring::<{ OF_RING + 10 }>(air, of, at, (&forces, first), &mut out);
+                    let steady = first + LAGGED;
+                    let forces = self.static_forces(air, (&flow, &axes), at, steady);
+                    self.add_ring::<{ OF_RING + 2 }>(air, of, at, (&forces, steady), &mut out);
+                }
             }
-            Some(inflow) => self.add_ring::<{ OF_RING + 8 }>(air, (inflow, &axes), at, &mut out),
-            None => {}
         }
         if self.flap.is_some() {
             self.add_flap(air, at, &mut out);
@@ -161,20 +209,21 @@ impl Strip {
     ) -> Velocity {
         let induced = &states[..self.of_inflow];
         let [n, t] = axes;
-        let length = flow.shaft[0].hypot(flow.shaft[1]);
-        let turned =
-            |u: f64, v: f64| [0, 1].map(|i| [0, 1].map(|j| (u * t[i] - v * n[i]) * t[j] / length));
+        let turned = |u: f64, v: f64| by_shaft(flow, axes, [u, v]);
         let shaft = [flow.shaft[0], flow.shaft[1]];
         let (by_shaft, by_induced) = match (&self.inflow, induced) {
             (Some(StripInflow::Disk), [u]) => ([[*u, 0.0], [0.0, *u]], [shaft, [0.0; 2], [0.0; 2]]),
             (Some(StripInflow::Annular(_)), [u, v, ..]) => (turned(*u, *v), [*n, *t, [0.0; 2]]),
-            (Some(StripInflow::Skewed(_)), [u, _, v, ..]) => (turned(*u, *v), [*n, [0.0; 2], *t]),
+            (Some(StripInflow::Distributed(_)), [u, _, v, ..]) => {
+                (turned(*u, *v), [*n, [0.0; 2], *t])
+            }
             _ => ([[0.0; 2]; 2], [[0.0; 2]; 3]),
         };
         Velocity {
             values: self.velocity(flow, axes, induced),
             by_shaft,
             by_induced,
+            first: 0,
         }
     }
 
@@ -218,26 +267,60 @@ impl Strip {
         }
     }
 
-    /// Writes the rows of the annulus, in N variables; the forces are written already.
+    /// The forces of the static section in the velocities of the steady state, which are the unknowns of
+    /// the inflow from `first` on.
+    fn static_forces(
+        &self,
+        air: ActingAir<'_>,
+        (flow, axes): (&StripFlow<f64>, &[[f64; 2]; 2]),
+        at: &Numbers<'_>,
+        first: usize,
+    ) -> Forces {
+        let [u, v] = [at.states[first], at.states[first + 1]];
+        let velocity = Velocity {
+            values: annular(flow, axes, [u, v]),
+            by_shaft: by_shaft(flow, axes, [u, v]),
+            by_induced: [axes[0], axes[1], [0.0; 2]],
+            first,
+        };
+        let [x, y] = velocity.values;
+        let of = variables([x, y, flow.pitch_rate]);
+        let deflection = DualSVec64::from_re(flow.flap);
+        let force = self.static_section(air, ([of[0], of[1]], of[2], deflection));
+        let mut found = Forces {
+            values: [0.0; 2],
+            by: [[0.0; INPUTS]; 2],
+        };
+        for (i, output) in [force.along, force.normal].iter().enumerate() {
+            found.values[i] = output.re;
+            let [x, y, turn] = slopes(output);
+            velocity.add([x, y], 2, &mut found.by[i]);
+            found.by[i][3] = turn;
+        }
+        found
+    }
+
+    /// Writes the rows of the annulus in N variables: of its lagged velocities with their rates, or of
+    /// two velocities in equilibrium with forces; its unknowns begin at `first`.
     fn add_ring<const N: usize>(
         &self,
         air: ActingAir<'_>,
         (inflow, [n, t]): (&AnnularInflow, &[[f64; 2]; 2]),
         at: &Numbers<'_>,
+        (forces, first): (&Forces, usize),
         out: &mut StripJacobian,
     ) {
-        let (_, first) = self.annulus();
-        let count = self.of_inflow - first;
+        // Rates enter the dynamic wake alone, of its first unknowns.
+        let of_rates = if N == OF_RING + 2 { 0 } else { LAGGED };
+        let count = N - OF_RING - of_rates;
         let along = |axis: &[f64; 2], of: &[f64]| axis[0] * of[0] + axis[1] * of[1];
         let (axial, rotation) = (along(n, at.flow), -along(t, at.flow));
-        let force = [along(n, &out.values), along(t, &out.values)];
+        let force = [along(n, &forces.values), along(t, &forces.values)];
         let mut numbers = [0.0; N];
         let radii = [at.flow[RADIUS], at.flow[RADIUS + 1]];
         numbers[..OF_RING]
             .copy_from_slice(&[axial, rotation, radii[0], radii[1], force[0], force[1]]);
-        numbers[OF_RING..OF_RING + count].copy_from_slice(&at.states[first..self.of_inflow]);
-        // Rates enter the dynamic wake alone.
-        let of_rates = N - OF_RING - count;
+        numbers[OF_RING..OF_RING + count].copy_from_slice(&at.states[first..first + count]);
         numbers[OF_RING + count..].copy_from_slice(&at.rates[first..first + of_rates]);
         let of = variables(numbers);
         let ring_flow = RingFlow {
@@ -251,23 +334,22 @@ impl Strip {
         };
         let ring = Ring::new(inflow, air.still.density, ring_flow);
         let (induced, rates) = of[OF_RING..].split_at(count);
-        let mut rows = [DualSVec64::<N>::from_re(0.0); 4];
-        ring.rows((induced, rates), &mut rows[..count]);
-        let length = at.flow[SHAFT].hypot(at.flow[SHAFT + 1]);
-        let [along_x, along_y] = [out.by[0], out.by[1]];
-        for (k, output) in rows.iter().take(count).enumerate() {
+        let mut rows = [DualSVec64::<N>::from_re(0.0); LAGGED];
+        let written = count.min(LAGGED);
+        if of_rates == 0 {
+            ring.equilibrium([induced[0], induced[1]], &mut rows[..written]);
+        } else {
+            ring.rows((induced, rates), &mut rows[..written]);
+        }
+        for (k, output) in rows.iter().take(written).enumerate() {
             out.values[LOADS + first + k] = output.re;
             let (by, row) = (slopes(output), &mut out.by[LOADS + first + k]);
             let [x, y] = [0, 1].map(|i| by[4] * n[i] + by[5] * t[i]);
-            for (slope, (of_x, of_y)) in row.iter_mut().zip(along_x.iter().zip(&along_y)) {
+            for (slope, (of_x, of_y)) in row.iter_mut().zip(forces.by[0].iter().zip(&forces.by[1]))
+            {
                 *slope = x * of_x + y * of_y;
             }
-            let turned = by[1] * axial - by[0] * rotation + by[4] * force[1] - by[5] * force[0];
-            for i in 0..2 {
-                row[i] += by[0] * n[i] - by[1] * t[i];
-                row[SHAFT + i] += turned * t[i] / length;
-                row[RADIUS + i] += by[2 + i];
-            }
+            add_flow(row, &by, ([axial, rotation], force), (at.flow, [n, t]));
             let (own, rates) = by[OF_RING..].split_at(count);
             for (i, slope) in own.iter().enumerate() {
                 row[FLOW + first + i] += slope;
@@ -284,7 +366,7 @@ impl Strip {
             None => (None, 0),
             Some(StripInflow::Disk) => (None, 1),
             Some(StripInflow::Annular(inflow)) => (Some(inflow), 0),
-            Some(StripInflow::Skewed(inflow)) => (Some(inflow), 1),
+            Some(StripInflow::Distributed(inflow)) => (Some(inflow), 1),
         }
     }
 }

@@ -10,10 +10,10 @@ use super::super::{
 };
 use crate::airfoil::{PlainFlap, Section, built_in};
 use crate::momentum::{HighInduction, Options};
-use crate::wake::TimeScale;
+use crate::wake::{Forcing, TimeScale};
 use crate::wind::Atmosphere;
 
-/// Every inflow: none, of a disk, of annuli in equilibrium and with a dynamic wake, and skewed.
+/// Every inflow: none, of a disk, of annuli in equilibrium and with dynamic wakes, and distributed.
 fn inflows() -> Vec<Option<StripInflow>> {
     let annular = |wake, high_induction| AnnularInflow {
         blades: 3,
@@ -26,16 +26,22 @@ fn inflows() -> Vec<Option<StripInflow>> {
     };
     let steady = annular(Wake::Equilibrium, HighInduction::Buhl);
     let dynamic = annular(
-        Wake::Dynamic(TimeScale::Turbine),
+        Wake::Dynamic(TimeScale::Turbine, Forcing::Lagged),
         HighInduction::BuhlOutside,
+    );
+    let forced = annular(
+        Wake::Dynamic(TimeScale::Turbine, Forcing::Steady),
+        HighInduction::Buhl,
     );
     vec![
         None,
         Some(StripInflow::Disk),
         Some(StripInflow::Annular(steady)),
         Some(StripInflow::Annular(dynamic)),
-        Some(StripInflow::Skewed(steady)),
-        Some(StripInflow::Skewed(dynamic)),
+        Some(StripInflow::Distributed(steady)),
+        Some(StripInflow::Distributed(dynamic)),
+        Some(StripInflow::Annular(forced)),
+        Some(StripInflow::Distributed(forced)),
     ]
 }
 

@@ -7,8 +7,11 @@
 //! u_qs m = B f . n / (4 pi r rho F)              v_qs m = B f . t / (4 pi r rho F)
 //! equilibrium    u m - u_qs m = 0                v m - v_qs m = 0
 //! dynamic        m tau2 (u' - w') = 0            m tau1 (y' - y'_f) = 0
+//! steady         u_s m(u_s) - u_qs(u_s, v_s) m(u_s) = 0          the same of v_s
 //! ```
 //!
+//! The lagged velocities follow (u_qs, v_qs), or the steady state (u_s, v_s), whose forces are by static
+//! coefficients,
 //! with the rates w' and y'_f of the two stages of the filter ([`crate::wake::rates`]), times the
 //! mass flow, so that the rows are smooth where it is small.
 
@@ -105,11 +108,17 @@ impl<'a, T: Real> Ring<'a, T> {
         }
     }
 
-    /// Writes the rows of the induced velocities.
-    pub fn rows(&self, (induced, induced_rates): (&[T], &[T]), rows: &mut [T]) {
-        let (Some(&u), Some(&v)) = (induced.first(), induced.get(1)) else {
-            return;
-        };
+    /// Writes the two rows of velocities in equilibrium with the loads.
+    pub fn equilibrium(&self, [u, v]: [T; 2], rows: &mut [T]) {
+        let (mass, [axial, swirl]) = self.momentum([u, v]);
+        if let [row_u, row_v] = rows {
+            *row_u = u * mass - axial;
+            *row_v = v * mass - swirl;
+        }
+    }
+
+    /// The mass flow, and the loads over 4 F.
+    fn momentum(&self, [u, v]: [T; 2]) -> (T, [T; 2]) {
         let loss = self.loss(u, v);
         let options = &self.inflow.options;
         let mass = mass_flow_by(options.high_induction, &self.ambient, u, loss);
@@ -119,22 +128,28 @@ impl<'a, T: Real> Ring<'a, T> {
         } else {
             T::from(0.0)
         };
-        let scale = match self.inflow.wake {
-            Wake::Equilibrium => {
-                if let [row_u, row_v] = rows {
-                    *row_u = u * mass - axial;
-                    *row_v = v * mass - swirl;
-                }
-                return;
-            }
-            Wake::Dynamic(scale) => scale,
+        (mass, [axial, swirl])
+    }
+
+    /// Writes the rows of the induced velocities, and of a dynamic wake of their first stages.
+    pub fn rows(&self, (induced, induced_rates): (&[T], &[T]), rows: &mut [T]) {
+        let (Some(&u), Some(&v)) = (induced.first(), induced.get(1)) else {
+            return;
+        };
+        let Wake::Dynamic(scale, _) = self.inflow.wake else {
+            return self.equilibrium([u, v], rows);
+        };
+        let (mass, [axial, swirl]) = self.momentum([u, v]);
+        let [axial, swirl] = match induced.get(4..) {
+            Some(&[axial, swirl]) => [axial, swirl],
+            _ => [axial / mass, swirl / mass],
         };
         let constants = self.time_constants(scale, u);
-        if let (&[_, _, y, z], &[du, dv, dy, dz], [row_u, row_v, row_y, row_z]) =
+        if let (&[_, _, y, z, ..], &[du, dv, dy, dz, ..], [row_u, row_v, row_y, row_z]) =
             (induced, induced_rates, rows)
         {
-            let filter = |first: T, induced: T, load: T| {
-                rates(&FilterState { first, induced }, load / mass, constants)
+            let filter = |first: T, induced: T, target: T| {
+                rates(&FilterState { first, induced }, target, constants)
             };
             let (axial, swirl) = (filter(y, u, axial), filter(z, v, swirl));
             let [slow, fast] = [mass * constants.0, mass * constants.1];

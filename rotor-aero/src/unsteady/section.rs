@@ -68,6 +68,21 @@ pub struct SectionForce<T> {
     pub moment: T,
 }
 
+impl<T: Real> SectionForce<T> {
+    /// A part of a force; zero without one.
+    pub fn part_of(force: Option<Self>, part: f64) -> Self {
+        let scaled = |of: fn(&Self) -> T| match &force {
+            Some(force) => of(force) * part,
+            None => T::from(0.0),
+        };
+        Self {
+            along: scaled(|force| force.along),
+            normal: scaled(|force| force.normal),
+            moment: scaled(|force| force.moment),
+        }
+    }
+}
+
 /// The constants of a section that scale its forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strip {

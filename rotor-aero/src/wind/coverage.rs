@@ -1,4 +1,4 @@
-//! Turbulence boxes that are too small for a rotor.
+//! Turbulence boxes that are too small for the points in them.
 
 use shared_geom::error::Explain;
 
@@ -11,7 +11,7 @@ const SLACK: f64 = 1e-5;
 /// A side at which a box is too small.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "turbulence box \"{name}\": {what} is {} {unit}, expected at {} {} {unit} for the rotor",
+    "turbulence box \"{name}\": {what} is {} {unit}, expected at {} {} {unit} for {user}",
     short(*.found),
     if *.is_least { "least" } else { "most" },
     short(*.limit)
@@ -29,8 +29,44 @@ pub struct TooSmall {
     pub limit: f64,
     /// Whether it is the least size, else the largest.
     pub is_least: bool,
+    /// The points that it does not cover, as text.
+    pub user: String,
     /// The remedy.
     pub remedy: &'static str,
+}
+
+/// A part of the space that a box must cover, in the axes of the wind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extent {
+    /// The points, as text.
+    pub user: String,
+    /// Least coordinates: downwind, lateral, above the ground \[m\].
+    pub low: [f64; 3],
+    /// Largest coordinates \[m\].
+    pub high: [f64; 3],
+}
+
+impl Extent {
+    /// Of a rotor in any attitude: a ball about its center, with the radius of its tips \[m\].
+    pub fn ball(user: &str, center: [f64; 3], radius: f64) -> Self {
+        Self {
+            user: user.to_owned(),
+            low: center.map(|at| at - radius),
+            high: center.map(|at| at + radius),
+        }
+    }
+
+    /// Of points; `None` without any.
+    pub fn of_points(user: &str, points: impl Iterator<Item = [f64; 3]>) -> Option<Self> {
+        let of_one = |at| Self::ball(user, at, 0.0);
+        points.map(of_one).reduce(|mut found, one| {
+            for axis in 0..3 {
+                found.low[axis] = found.low[axis].min(one.low[axis]);
+                found.high[axis] = found.high[axis].max(one.high[axis]);
+            }
+            found
+        })
+    }
 }
 
 /// A side of a box.
@@ -64,7 +100,7 @@ const DURATION: Side = Side {
 const FIRST: Side = Side {
     what: "the position of the first plane",
     unit: "m",
-    remedy: "shift the box downwind by the radius, or start later",
+    remedy: "shift the box downwind, or start later",
 };
 
 impl Explain for TooSmall {
@@ -74,21 +110,21 @@ impl Explain for TooSmall {
 }
 
 impl TurbulenceBox {
-    /// The sides at which the box does not cover a rotor of a `radius` \[m\] at a `hub_height` \[m\]
-    /// during `duration` \[s\], in any yaw.
-    pub fn uncovered(&self, radius: f64, hub_height: f64, duration: f64) -> Vec<TooSmall> {
+    /// The sides at which the box does not cover an extent during `duration` \[s\].
+    pub fn uncovered(&self, extent: &Extent, duration: f64) -> Vec<TooSmall> {
         let g = self.grid();
         let slack = SLACK * g.lateral_step.max(g.vertical_step);
         let bottom = if g.tower > 0 { 0.0 } else { g.bottom };
+        let Extent { low, high, .. } = extent;
         let mut sides = vec![
-            (WIDTH, [g.half_width(), radius]),
-            (TOP, [g.top(), hub_height + radius]),
-            (BOTTOM, [bottom, hub_height - radius]),
+            (WIDTH, [g.half_width(), high[1].max(-low[1])]),
+            (TOP, [g.top(), high[2]]),
+            (BOTTOM, [bottom, low[2]]),
         ];
         if !g.periodic {
-            let needed = duration + (self.shift() + radius) / g.speed;
+            let needed = duration + (self.shift() - low[0]) / g.speed;
             sides.push((DURATION, [g.duration(), needed]));
-            sides.push((FIRST, [self.shift(), radius]));
+            sides.push((FIRST, [self.shift(), high[0]]));
         }
         let small = |(side, [found, limit]): (Side, [f64; 2])| {
             let is_least = side.what != BOTTOM.what;
@@ -105,6 +141,7 @@ impl TurbulenceBox {
                 found,
                 limit,
                 is_least,
+                user: extent.user.clone(),
                 remedy: side.remedy,
             })
         };

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::super::bts::read_bts;
+use super::super::coverage::Extent;
 use super::super::grid::tests::{Lcg, random, small};
 use super::*;
 
@@ -173,6 +174,7 @@ fn one_point_and_one_plane_are_enough() {
 /// Sizes and remedies are named: half width 20 m, top 84 m, 2.75 s.
 #[test]
 fn boxes_that_are_too_small_for_a_rotor() {
+    let rotor = |radius| Extent::ball("the rotor", [0.0, 0.0, 72.0], radius);
     let (mut values, _) = linear(false);
     values.grid.tower = 0;
     let size = values.grid.values();
@@ -181,8 +183,8 @@ fn boxes_that_are_too_small_for_a_rotor() {
         .iter_mut()
         .for_each(|plane| plane.truncate(size));
     let turbulence = TurbulenceBox::from_values("box", values).unwrap();
-    assert!(turbulence.uncovered(10.0, 72.0, 0.1).is_empty());
-    let problems = turbulence.uncovered(25.0, 72.0, 10.0);
+    assert!(turbulence.uncovered(&rotor(10.0), 0.1).is_empty());
+    let problems = turbulence.uncovered(&rotor(25.0), 10.0);
     // width, top, bottom, duration, first plane
     assert_eq!(problems.len(), 5, "{problems:?}");
     let lines = problems
@@ -195,5 +197,5 @@ fn boxes_that_are_too_small_for_a_rotor() {
     let (periodic, _) = linear(true);
     let turbulence = TurbulenceBox::from_values("box", periodic).unwrap();
     // tower points cover the wind below
-    assert!(turbulence.uncovered(12.0, 72.0, 1e9).is_empty());
+    assert!(turbulence.uncovered(&rotor(12.0), 1e9).is_empty());
 }

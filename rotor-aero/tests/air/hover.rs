@@ -47,15 +47,14 @@ fn options() -> [Options; 2] {
 }
 
 /// A rotor of constant chord from `root` to `tip` \[m\], with a linear twist that is zero at three
-/// quarters of the radius.
+/// quarters of the radius, in `count` stations.
 fn rotor(
-    blades: usize,
+    (blades, count): (usize, u32),
     [root, tip]: [f64; 2],
     chord: f64,
     twist_per_radius: f64,
     (section, options): (&Shared, Options),
 ) -> RigidRotor<Shared> {
-    let count = 60;
     let stations = (0..count).map(|i| {
         let radius = root + (tip - root) * (f64::from(i) + 0.5) / f64::from(count);
         Station {
@@ -89,7 +88,7 @@ const SPEED: f64 = 1250.0 * PI / 30.0;
 fn caradonna(pitch_deg: f64, section: &Shared, options: Options) -> Performance {
     let data = json("theory-rotor/hover_caradonna_tung.json");
     let (radius, chord) = (number(&data["R_m"]), number(&data["c_m"]));
-    let rotor = rotor(2, [chord, radius], chord, 0.0, (section, options));
+    let rotor = rotor((2, 60), [chord, radius], chord, 0.0, (section, options));
     let found = rotor.performance(&OperatingPoint {
         omega: SPEED,
         pitch: pitch_deg.to_radians(),
@@ -167,9 +166,15 @@ fn section_lift_of_caradonna_and_tung_is_a_band() {
 
 /// Four blades of the active-twist rotor in hover: an independent program has 3679 (slope 5.73) and
 /// 3993 lbf (table) with annuli, at 4 degrees at three quarters of the radius; the thesis' 5133 lbf belong
-/// to 4.73 (table) to 5.08 degrees (slope). The root of the blades, here at a tenth or a fifth of the
-/// radius, and the losses at hub and tips change thrusts by up to 3 %; a tenth of a degree of pitch, of
-/// which the two angles are known, is 2.7 % of the thrust.
+/// to 4.73 (table) to 5.08 degrees (slope).
+///
+/// The program's blades begin at the hinge, .027 of the radius, and its annuli have the loss at the tip
+/// alone. The steady state of a ring in hover is here the one of a climb of 1e-3 of the speed of
+/// rotation, which costs 1.1 % of this thrust (1.2 % below the listed one; the complete model, without
+/// this climb, is within .5 %); so slope 5.73 stays below the band of 3670 to 4020 lbf. The root at a fifth
+/// of the radius costs a further 1.2 %, the loss at the hub and swirl are parts that the program does not
+/// have: 3 % are granted for these rotors. A tenth of a degree of pitch, of which the two angles are known,
+/// is 2.7 % of the thrust.
 #[test]
 fn active_twist_rotor_in_hover() {
     const FOOT: f64 = 0.3048;
@@ -182,7 +187,7 @@ fn active_twist_rotor_in_hover() {
     let twist = (-8f64).to_radians();
     let thrust = |section: &Shared, root: f64, options: Options, pitch: f64| {
         let ends = [root * radius, radius];
-        let rotor = rotor(4, ends, chord, twist, (section, options));
+        let rotor = rotor((4, 600), ends, chord, twist, (section, options));
         let found = rotor.performance(&OperatingPoint {
             omega: 22.25,
             pitch: pitch.to_radians(),
@@ -201,12 +206,18 @@ fn active_twist_rotor_in_hover() {
             source: "independent program (hover_atr.json)",
             case: "active-twist rotor in hover",
         };
-        for (root, options) in [0.2, 0.1].into_iter().zip(options()) {
+        let [simple, all] = options();
+        for (root, options, within) in [
+            (0.027, simple, 0.015),
+            (0.2, simple, 0.03),
+            (0.1, all, 0.03),
+        ] {
             let at = |pitch: f64| thrust(&section, root, options, pitch);
-            let quantity = format!("thrust at 4 deg, {name} [lbf]");
-            with.relative(&quantity, [at(4.0), number(&listed[name])], 0.03);
-            let quantity = format!("thrust at {needed} deg, {name} [lbf]");
-            with.relative(&quantity, [at(needed), target], 0.04);
+            println!("{name} {root} {} {}", at(4.0), at(needed));
+            let quantity = format!("thrust at 4 deg, {name}, root at {root} R [lbf]");
+            with.relative(&quantity, [at(4.0), number(&listed[name])], within);
+            let quantity = format!("thrust at {needed} deg, {name}, root at {root} R [lbf]");
+            with.relative(&quantity, [at(needed), target], within + 0.01);
         }
     }
 }

@@ -17,6 +17,7 @@ use super::restored::solution_of;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, words};
 use crate::input::layup::{self, Layup, Selection, SpanStation};
 use crate::input::result_tables::read_modes;
+use crate::input::span_loads::section_fingerprint;
 use crate::output::{
     OutputFiles, ResultWriter, SectionPicture, SolvedSpan, SolvedStation, SpanFiles, layer_rows,
     layup_section,
@@ -74,6 +75,9 @@ pub(super) fn solve_blade(
     let layup = layup::read_with(file, treatment);
     let layup = layup.map_err(|problems| terminal.report_all(&problems))?;
     super::layup::write_remarks(&layup, terminal)?;
+    let missed = layup.missed_layers(&stations_of(&layup, arguments));
+    let missed: Vec<String> = missed.iter().map(ToString::to_string).collect();
+    terminal.warn(file, &missed)?;
     let Some(line) = &layup.line else {
         let location = SourceLocation::file(file.display().to_string());
         return Err(terminal.report_all(&Diagnostics::one(location, &NoLine)));
@@ -247,15 +251,18 @@ impl<'a> Plan<'a> {
             .map_err(|problems| problems.to_string())?;
         let mesh = format!("{}.msh", job.name);
         let section = layup_section(self.layup, &meshed, &mesh);
-        renew(&job.folder.join(&mesh), &gmsh::write(&meshed.mesh))
+        let written = gmsh::write(&meshed.mesh);
+        renew(&job.folder.join(&mesh), &written)
             .and_then(|()| renew(&job.file, &section))
             .map_err(|problem| words(&problem))?;
         let (chord, layers) = (
             self.layup.shape.chord.at(eta),
             layer_rows(self.layup, &meshed),
         );
+        let fingerprint = section_fingerprint(section.as_bytes(), written.as_bytes());
         Ok(move |properties| SolvedStation {
             eta: at.eta,
+            fingerprint,
             chord,
             properties,
             layers,

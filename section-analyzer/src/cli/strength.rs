@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use nalgebra::Vector6;
-use shared_geom::error::{Diagnostics, Explain, SourceLocation};
+use shared_geom::error::{Diagnostics, Explain, SourceLocation, quoted};
 use shared_geom::files::{make_folder, write_whole};
 
 use super::analyze::{Job, Outcome, Status, solve_all};
@@ -13,7 +13,7 @@ use super::restored::Restored;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
 use crate::input;
 use crate::input::span_loads::{
-    ListedStation, LoadInstant, LoadPositions, read_loads, read_stations,
+    ListedStation, LoadInstant, LoadPositions, SpanLoads, read_loads, read_stations,
 };
 use crate::output::{
     DamageRow, FatigueRow, ReserveRow, damage_csv, damage_text, fatigue_csv, strength_csv,
@@ -22,6 +22,7 @@ use crate::output::{
 use crate::recovery::fatigue::{RegionDamage, region_damages};
 use crate::recovery::{Recoverer, RegionReserve, region_reserves};
 
+mod coverage;
 mod histories;
 
 use histories::Histories;
@@ -29,6 +30,8 @@ use histories::Histories;
 /// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
 const BLADE: &str = ".blade.json";
+/// The folder of the sections, beside the table.
+const SECTIONS: &str = "sections";
 
 /// The table of stations at `path`, or beside the blade there.
 fn table_of(path: &Path) -> PathBuf {
@@ -48,6 +51,8 @@ enum NoStrength {
     Positions,
     #[error("the table has no station beyond the root")]
     Length,
+    #[error("sections have changed since the table was written: {}", quoted(.sections))]
+    Changed { sections: Vec<String> },
 }
 
 impl Explain for NoStrength {
@@ -57,6 +62,9 @@ impl Explain for NoStrength {
             Self::Positions => {
                 "a load with one position is valid near it alone: give each instant positions at \
                  the root and at the tip"
+            }
+            Self::Changed { .. } => {
+                "run \"section-analyzer blade\" again, for each layup into a folder of its own by --out"
             }
             Self::Length => "name the table NAME.span.csv that \"section-analyzer blade\" wrote",
         };
@@ -70,30 +78,54 @@ struct Rows {
     damages: Vec<DamageRow>,
 }
 
-/// Finds and writes reserve factors, damage and fatigue loads.
-pub(super) fn envelope(
+/// A problem of the table of stations.
+fn wrong(span: &Path, problem: &NoStrength) -> Diagnostics {
+    Diagnostics::one(SourceLocation::file(span.display().to_string()), problem)
+}
+
+/// Reads the stations of the table `span` with sections below `folder`, and the loads; shows
+/// warnings about both.
+fn read(
     arguments: &StrengthArguments,
+    (span, folder): (&Path, &Path),
     terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let span = &table_of(&arguments.span);
-    let wrong = |problem: NoStrength| {
-        Diagnostics::one(SourceLocation::file(span.display().to_string()), &problem)
-    };
+) -> Result<(Vec<ListedStation>, Vec<LoadInstant>), Stop> {
     let stations = read_stations(span).map_err(|problems| terminal.report_all(&problems))?;
     let outer = stations.iter().rev().find(|station| station.eta > 0.0);
     let Some(outer) = outer else {
-        return Err(terminal.report_all(&wrong(NoStrength::Length)));
+        return Err(terminal.report_all(&wrong(span, &NoStrength::Length)));
     };
+    check_sections(&stations, folder)
+        .map_err(|problem| terminal.report_all(&wrong(span, &problem)))?;
     let positions = LoadPositions {
         length: outer.arc_length / outer.eta,
         member: arguments.member.clone(),
         named: arguments.at.clone(),
     };
     let loads = read_loads(&arguments.loads, &positions);
-    let loads = loads.map_err(|problems| terminal.report_all(&problems))?;
+    let SpanLoads { instants, unused } =
+        loads.map_err(|problems| terminal.report_all(&problems))?;
+    if stations.iter().any(|station| station.fingerprint.is_none()) {
+        let text = "the table has no column \"fingerprint\": whether its sections have changed since is \
+                    unknown";
+        terminal.warn(span, &[text.to_owned()])?;
+    }
+    let warnings = coverage::warnings(&stations, (&instants, &unused));
+    terminal.warn(&arguments.loads, &warnings)?;
+    Ok((stations, instants))
+}
+
+/// Finds and writes reserve factors, damage and fatigue loads.
+pub(super) fn envelope(
+    arguments: &StrengthArguments,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let span = &table_of(&arguments.span);
+    let folder = span.parent().unwrap_or(Path::new(""));
+    let (stations, loads) = read(arguments, (span, folder), terminal)?;
     let histories = Histories::new(&loads, arguments.durations.as_deref());
     let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
-    let jobs = jobs_of(&stations, span.parent().unwrap_or(Path::new("")));
+    let jobs = jobs_of(&stations, folder);
     let found: Vec<OnceLock<Rows>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match rows(&stations[number], job, (&loads, &histories)) {
         Ok((outcome, rows)) => {
@@ -123,7 +155,7 @@ pub(super) fn envelope(
     };
     tables.write(arguments, terminal)?;
     if reserves.is_empty() && damages.is_empty() && is_solved {
-        return Err(terminal.report_all(&wrong(nothing(&stations, &loads))));
+        return Err(terminal.report_all(&wrong(span, &nothing(&stations, &loads))));
     }
     ended.result()
 }
@@ -139,9 +171,21 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     }
 }
 
+/// Checks that the sections of stations, below `folder`, belong to the table.
+fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStrength> {
+    let folder = folder.join(SECTIONS);
+    let changed = stations.iter().filter(|one| one.has_changed(&folder));
+    let sections: Vec<String> = changed.map(|one| one.section.clone()).collect();
+    if sections.is_empty() {
+        Ok(())
+    } else {
+        Err(NoStrength::Changed { sections })
+    }
+}
+
 /// The section files of stations, below `folder`.
 fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
-    let folder = folder.join("sections");
+    let folder = folder.join(SECTIONS);
     let job = |station: &ListedStation| Job {
         file: folder.join(format!("{}.section.toml", station.section)),
         folder: folder.clone(),

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation, nearest_name, quoted};
-use shared_geom::units::{Dimension, parse_as};
+use shared_geom::units::{Dimension, parse_any, parse_as};
 
 /// A problem of a table with named columns.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -47,13 +47,31 @@ pub enum ColumnProblem {
         /// Number of columns.
         expected: usize,
     },
-    /// Several columns of one name and unit.
+    /// Several columns of one name.
     #[error("{count} columns are called \"{column}\", expected one")]
     Doubled {
         /// The name.
         column: String,
         /// Number of columns.
         count: usize,
+    },
+    /// A unit in round brackets.
+    #[error("column \"{column}\" has its unit in round brackets, expected square brackets")]
+    Round {
+        /// The column.
+        column: String,
+        /// Its name.
+        name: String,
+        /// Its unit.
+        unit: String,
+    },
+    /// Cells that other characters separate.
+    #[error("{separator} separate the cells of \"{heading}\", expected commas")]
+    Separator {
+        /// What separates them.
+        separator: &'static str,
+        /// The line of names.
+        heading: String,
     },
     /// A table without rows.
     #[error("the table has no rows")]
@@ -75,6 +93,15 @@ impl Explain for ColumnProblem {
                 })
             }
             Self::Doubled { .. } => Some("remove or rename one of them".to_owned()),
+            Self::Cells { .. } => Some(
+                "commas separate cells: write decimals with a point, and enclose a cell with a \
+                 comma in quotes"
+                    .to_owned(),
+            ),
+            Self::Round { name, unit, .. } => Some(format!("write \"{name} [{unit}]\"")),
+            Self::Separator { .. } => {
+                Some("write commas between cells, and decimals with a point".to_owned())
+            }
             _ => None,
         }
     }
@@ -109,6 +136,18 @@ impl Column {
             name: plain(name),
             unit,
         }
+    }
+
+    /// The problem of a unit in round brackets.
+    fn round(&self) -> Option<ColumnProblem> {
+        let (name, unit) = self.written.strip_suffix(')')?.split_once('(')?;
+        let (name, unit) = (name.trim().to_owned(), unit.trim().to_owned());
+        let is_unit = unit == "-" || parse_any(&format!("1 {}", unit.replace(' ', "*"))).is_ok();
+        is_unit.then(|| ColumnProblem::Round {
+            column: self.written.clone(),
+            name,
+            unit,
+        })
     }
 }
 
@@ -146,6 +185,7 @@ impl ColumnTable {
         if table.rows.is_empty() {
             return Err(table.problem(1, &ColumnProblem::Empty));
         }
+        table.check_headings()?;
         for column in &table.columns {
             let same = |other: &&Column| (&other.name, &other.unit) == (&column.name, &column.unit);
             let count = table.columns.iter().filter(same).count();
@@ -164,17 +204,41 @@ impl ColumnTable {
         }
     }
 
+    /// Checks that commas separate the headings, and that no unit is in round brackets.
+    fn check_headings(&self) -> Result<(), Diagnostics> {
+        if let [only] = &self.columns[..] {
+            let separators = [(';', "semicolons"), ('\t', "tabulators")];
+            let found = separators.iter().find(|one| only.written.contains(one.0));
+            if let Some((_, separator)) = found {
+                let heading = only.written.clone();
+                return Err(self.problem(1, &ColumnProblem::Separator { separator, heading }));
+            }
+        }
+        match self.columns.iter().find_map(Column::round) {
+            Some(problem) => Err(self.problem(1, &problem)),
+            None => Ok(()),
+        }
+    }
+
     /// A problem of a line.
     pub fn problem<P: Explain>(&self, line: usize, problem: &P) -> Diagnostics {
         Diagnostics::one(SourceLocation::line(&self.file, line), problem)
     }
 
-    /// Names of the columns with a unit, as they are compared, and their units.
-    pub fn units(&self) -> impl Iterator<Item = (&str, String)> {
-        self.columns.iter().filter_map(|column| {
-            let unit = column.unit.as_ref()?.replace(' ', "*");
-            Some((column.name.as_str(), unit))
+    /// Names of the columns, as they are compared, and their units.
+    pub fn columns(&self) -> impl Iterator<Item = (&str, Option<String>)> {
+        self.columns.iter().map(|column| {
+            let unit = column.unit.as_ref();
+            (
+                column.name.as_str(),
+                unit.map(|unit| unit.replace(' ', "*")),
+            )
         })
+    }
+
+    /// The heading of a column, as written.
+    pub fn heading(&self, column: usize) -> &str {
+        &self.columns[column].written
     }
 
     /// The headings, as written.
@@ -199,14 +263,27 @@ impl ColumnTable {
         columns.filter(|column| column.name == wanted).count()
     }
 
+    /// The column of a name, if it is there.
+    ///
+    /// # Errors
+    /// Several columns of this name, with different units, of which the heading selects none.
+    pub fn find(&self, heading: &str) -> Result<Option<usize>, Diagnostics> {
+        let count = self.count(heading);
+        if count > 1 && !heading.contains('[') {
+            let column = heading.to_owned();
+            return Err(self.problem(1, &ColumnProblem::Doubled { column, count }));
+        }
+        Ok(self.index(heading))
+    }
+
     /// The columns of names, all of which are needed.
     ///
     /// # Errors
-    /// The first column that is missing.
+    /// The first column that is missing, or there in several units.
     pub fn require<const N: usize>(&self, headings: [&str; N]) -> Result<[usize; N], Diagnostics> {
         let mut found = [0; N];
         for (found, heading) in found.iter_mut().zip(headings) {
-            *found = self.index(heading).ok_or_else(|| {
+            *found = self.find(heading)?.ok_or_else(|| {
                 let has_unit = heading.contains('[');
                 let known = self.columns.iter().map(|column| {
                     if has_unit {
@@ -234,8 +311,11 @@ impl ColumnTable {
         // as in "N m"
         let unit = self.columns[column].unit.as_ref();
         let unit = unit.map_or_else(String::new, |unit| unit.replace(' ', "*"));
-        if unit.is_empty() || unit == "-" {
+        if unit.is_empty() || unit == "-" && dimension == Dimension::NUMBER {
             return Ok(1.0);
+        }
+        if unit == "%" && dimension == Dimension::NUMBER {
+            return Ok(0.01);
         }
         let parsed = parse_as(&unit, dimension).map(|unit| unit.factor);
         parsed.map_err(|problem| {

@@ -32,7 +32,7 @@ pub use fills::{FillBound, WrittenFill};
 pub use place::{Place, PlaceForm, SIDES};
 pub use problem::LayupFileProblem;
 pub use shape::Shape;
-pub use span::{Selection, SpanStation};
+pub use span::{MissedLayer, Selection, SpanStation};
 pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;

@@ -227,8 +227,9 @@ impl Limits<'_> {
         let mut found: Vec<(Family, &'static str)> = Vec::new();
         for (family, keys) in self.measure.families {
             // the slope is a key of all of them
-            let mut own = keys.iter().filter(|key| key.name != M.name());
-            if let Some(key) = own.find(|key| self.table.has(key)) {
+            let own = keys.iter().filter(|key| key.name != M.name());
+            let given: Vec<_> = own.filter(|key| self.table.has(key)).collect();
+            if let Some(key) = given.first() {
                 found.push((*family, key.name));
             }
         }

@@ -218,7 +218,7 @@ fn course(course: &Course, unit: f64) -> String {
 }
 
 fn list(course: &Course, written: impl Fn(f64) -> String) -> String {
-    if course.positions().is_empty() {
+    if course.positions().is_empty() && course.is_held() {
         return written(course.at(0.0));
     }
     let (eta, value): (Vec<String>, Vec<String>) = course

@@ -27,6 +27,8 @@ pub use text::span_text;
 pub struct SolvedStation {
     /// Position along the span [-].
     pub eta: f64,
+    /// Fingerprint of its section file and mesh.
+    pub fingerprint: String,
     /// Chord \[m\].
     pub chord: f64,
     /// Its properties about the reference line, in section axes.

@@ -28,7 +28,6 @@
 //! - [Giavotto1983], section 5: extremity solutions.
 //! - [Masarati], appendix E.4.
 
-mod dense;
 mod krylov;
 #[cfg(test)]
 mod tests;
@@ -38,6 +37,7 @@ use super::system::CentralSystem;
 use crate::assembly::{Model, Rate, SectionForces, State};
 use krylov::Space;
 use nalgebra::{Complex, DMatrix, Matrix6};
+use sparse_solver::eigenvalues_of;
 
 /// Vectors of a block: the number that is solved at once.
 const BLOCK: usize = 6;
@@ -176,7 +176,10 @@ impl DecayRates {
             if !is_last && vectors > FEW && 10 * vectors < 11 * search.vectors {
                 continue;
             }
-            search.look(distinct(dense::eigenvalues(&space.projection())), vectors);
+            search.look(
+                distinct(eigenvalues_of(space.projection().as_slice())),
+                vectors,
+            );
             if search.is_found || is_last {
                 return Some(search.into_rates(is_whole));
             }

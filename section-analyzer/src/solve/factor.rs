@@ -16,31 +16,15 @@
 
 use super::pins::Pins;
 use crate::assembly::{Domain, Pattern, Scalar, largest};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::ldlt::factor::{LdltError, LdltRegularization};
-use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
-use faer::sparse::linalg::cholesky::simplicial::{
-    prefactorize_symbolic_cholesky, prefactorize_symbolic_cholesky_scratch,
+use sparse_solver::{
+    Cholesky, CholeskyBlocks, CholeskyError, CholeskyNumber, Definiteness, Triangle, minimum_degree,
 };
-use faer::sparse::linalg::cholesky::supernodal::{
-    SupernodalLdltRef, SupernodalLltRef, SymbolicSupernodalCholesky,
-    factorize_supernodal_numeric_ldlt, factorize_supernodal_numeric_ldlt_scratch,
-    factorize_supernodal_numeric_llt, factorize_supernodal_numeric_llt_scratch,
-    factorize_supernodal_symbolic_cholesky, factorize_supernodal_symbolic_cholesky_scratch,
-};
-use faer::sparse::linalg::{SymbolicSupernodalParams, amd};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::traits::ComplexField as FactorScalar;
-use faer::{Conj, MatMut, Par, Spec};
 use sprs::CsMatI;
 
 /// A number that can be factored: real or complex.
-pub trait Entry: Scalar + FactorScalar {}
+pub trait Entry: Scalar + CholeskyNumber {}
 
-impl<T: Scalar + FactorScalar> Entry for T {}
-
-/// One thread: the result is the same on every machine and in every run.
-const SEQUENTIAL: Par = Par::Seq;
+impl<T: Scalar + CholeskyNumber> Entry for T {}
 
 /// The smallest pivot of a factorization.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,8 +49,7 @@ pub enum FactorError {
 /// `L L^H = E_ff`, or `L D L^H` with potentials, with E_ff the pinned E.
 #[derive(Debug)]
 pub struct Factor<T> {
-    symbolic: SymbolicSupernodalCholesky<u32>,
-    values: Vec<T>,
+    cholesky: Cholesky<T>,
     /// For each row its unknown, if potentials make the orders differ.
     order: Option<Vec<u32>>,
     pins: Pins,
@@ -84,12 +67,11 @@ impl<T: Entry> Factor<T> {
     pub fn new(mut e: CsMatI<T, u32>, pattern: &Pattern, pins: Pins) -> Result<Self, FactorError> {
         pin(&mut e, pattern, &pins);
         let norm = one_norm(&e);
-        let (symbolic, values) = factored(&e, pattern)?;
-        let smallest_pivot = smallest_pivot(&symbolic, &values, (&e, pattern));
+        let cholesky = factored(&e, pattern)?;
+        let smallest_pivot = smallest_pivot(&cholesky, (&e, pattern));
         if smallest_pivot.ratio > 0.0 {
             Ok(Self {
-                symbolic,
-                values,
+                cholesky,
                 order: pattern.order().map(<[u32]>::to_vec),
                 pins,
                 norm,
@@ -103,34 +85,16 @@ impl<T: Entry> Factor<T> {
     /// Replaces the columns of `x` (n x k, column by column) by the solutions of
     /// `E_ff x = b`, pinned unknowns zero; `None` if memory is insufficient.
     pub fn solve(&self, x: &mut [T]) -> Option<()> {
-        let rows = self.symbolic.nrows();
-        let columns = x.len() / rows;
         self.clear_pinned(x);
-        let request = self
-            .symbolic
-            .solve_in_place_scratch::<T>(columns, SEQUENTIAL);
-        let mut memory = MemBuffer::try_new(request).ok()?;
-        let stack = MemStack::new(&mut memory);
         let Some(order) = &self.order else {
-            let x = MatMut::from_column_major_slice_mut(x, rows, columns);
-            SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-                Conj::No,
-                x,
-                SEQUENTIAL,
-                stack,
-            );
-            return Some(());
+            return self.cholesky.solve(x);
         };
+        let rows = self.cholesky.rows();
         let mut in_order = Vec::with_capacity(x.len());
         for column in x.chunks_exact(rows) {
             in_order.extend(order.iter().map(|&unknown| column[unknown as usize]));
         }
-        SupernodalLdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(&mut in_order, rows, columns),
-            SEQUENTIAL,
-            stack,
-        );
+        self.cholesky.solve(&mut in_order)?;
         for (column, solved) in x.chunks_exact_mut(rows).zip(in_order.chunks_exact(rows)) {
             for (&unknown, value) in order.iter().zip(solved) {
                 column[unknown as usize] = *value;
@@ -141,7 +105,7 @@ impl<T: Entry> Factor<T> {
 
     /// Sets the rows of pinned unknowns to zero in `x` (n x k, column by column).
     pub fn clear_pinned(&self, x: &mut [T]) {
-        for column in x.chunks_exact_mut(self.symbolic.nrows()) {
+        for column in x.chunks_exact_mut(self.cholesky.rows()) {
             for &pin in self.pins.unknowns() {
                 column[pin] = T::from_real(0.0);
             }
@@ -150,7 +114,7 @@ impl<T: Entry> Factor<T> {
 
     /// Number of entries of L, including the zeros in its blocks.
     pub fn entries(&self) -> usize {
-        self.values.len()
+        self.cholesky.entries()
     }
 
     /// Largest sum of the absolute values of a column of the pinned matrix \[-\].
@@ -174,59 +138,38 @@ pub fn require_positive(e: &CsMatI<f64, u32>, pattern: &Pattern) -> Result<(), F
     factored(e, pattern).map(|_| ())
 }
 
-type Factored<T> = (SymbolicSupernodalCholesky<u32>, Vec<T>);
-
-/// Structure and values of the factor of `e`.
-fn factored<T: Entry>(e: &CsMatI<T, u32>, pattern: &Pattern) -> Result<Factored<T>, FactorError> {
-    let symbolic = analyze(pattern).ok_or(FactorError::OutOfMemory)?;
-    let mut values = vec![T::from_real(0.0); symbolic.len_val()];
+/// The factor of `e`.
+fn factored<T: Entry>(e: &CsMatI<T, u32>, pattern: &Pattern) -> Result<Cholesky<T>, FactorError> {
+    let blocks = blocks(pattern).ok_or(FactorError::OutOfMemory)?;
     let starts = e.indptr();
-    let structure = SymbolicSparseColMatRef::new_checked(
-        e.rows(),
-        e.cols(),
-        starts.raw_storage(),
-        None,
-        e.indices(),
-    );
-    let matrix = SparseColMatRef::new(structure, e.data());
-    let is_definite = pattern.order().is_none();
-    let request = match is_definite {
-        true => factorize_supernodal_numeric_llt_scratch::<u32, T>(
-            &symbolic,
-            SEQUENTIAL,
-            Spec::default(),
-        ),
-        false => factorize_supernodal_numeric_ldlt_scratch::<u32, T>(
-            &symbolic,
-            SEQUENTIAL,
-            Spec::default(),
-        ),
+    let lower = Triangle {
+        starts: starts.raw_storage(),
+        rows: e.indices(),
     };
-    let mut memory = MemBuffer::try_new(request).map_err(|_| FactorError::OutOfMemory)?;
-    let stack = MemStack::new(&mut memory);
-    let (values_mut, blocks) = (&mut values[..], &symbolic);
-    let failed_at = if is_definite {
-        let regular = LltRegularization::default();
-        let parameters = Spec::default();
-        factorize_supernodal_numeric_llt(
-            values_mut, matrix, regular, blocks, SEQUENTIAL, stack, parameters,
-        )
-        .err()
-        .map(|LltError::NonPositivePivot { index }| index)
-    } else {
-        let regular = LdltRegularization::default();
-        let parameters = Spec::default();
-        factorize_supernodal_numeric_ldlt(
-            values_mut, matrix, regular, blocks, SEQUENTIAL, stack, parameters,
-        )
-        .err()
-        .map(|LdltError::ZeroPivot { index }| index)
-    };
-    if let Some(index) = failed_at {
-        let (node, _) = pattern.node_of(index.min(symbolic.nrows().saturating_sub(1)));
-        return Err(FactorError::NotPositive(Pivot { node, ratio: 0.0 }));
+    Cholesky::new(blocks, (lower, e.data()), definiteness(pattern)).map_err(|error| match error {
+        CholeskyError::OutOfMemory => FactorError::OutOfMemory,
+        CholeskyError::Pivot(row) => {
+            let (node, _) = pattern.node_of(row);
+            FactorError::NotPositive(Pivot { node, ratio: 0.0 })
+        }
+    })
+}
+
+/// The blocks of the factor; `None` if memory is insufficient.
+fn blocks(pattern: &Pattern) -> Option<CholeskyBlocks> {
+    let (starts, rows) = pattern.upper_structure()?;
+    CholeskyBlocks::new(Triangle {
+        starts: &starts,
+        rows: &rows,
+    })
+}
+
+/// Potentials have an order of their own.
+fn definiteness(pattern: &Pattern) -> Definiteness {
+    match pattern.order() {
+        None => Definiteness::Positive,
+        Some(_) => Definiteness::Quasi,
     }
-    Ok((symbolic, values))
 }
 
 /// Sets the rows and columns of pins to zero, except the diagonal, which is never zero.
@@ -282,22 +225,6 @@ fn one_norm<T: Scalar>(lower: &CsMatI<T, u32>) -> f64 {
     sums.into_iter().fold(0.0, largest)
 }
 
-/// Structure of the factor; `None` if memory is insufficient.
-fn analyze(pattern: &Pattern) -> Option<SymbolicSupernodalCholesky<u32>> {
-    let (starts, rows) = pattern.upper_structure()?;
-    let n = pattern.rows();
-    let upper = SymbolicSparseColMatRef::new_checked(n, n, &starts, None, &rows);
-
-    let request = prefactorize_symbolic_cholesky_scratch::<u32>(n, rows.len())
-        .or(factorize_supernodal_symbolic_cholesky_scratch::<u32>(n));
-    let mut memory = MemBuffer::try_new(request).ok()?;
-    let stack = MemStack::new(&mut memory);
-    let (mut tree, mut counts) = (vec![0; n], vec![0; n]);
-    let tree = prefactorize_symbolic_cholesky(&mut tree, &mut counts, upper, stack);
-    let parameters = SymbolicSupernodalParams::default();
-    factorize_supernodal_symbolic_cholesky(upper, tree, &counts, stack, parameters).ok()
-}
-
 /// `domain` with its nodes numbered in the elimination order, and its pattern; `pattern`
 /// belongs to the present numbers. `None` if memory is insufficient.
 pub fn in_elimination_order(domain: Domain, pattern: &Pattern) -> Option<(Domain, Pattern)> {
@@ -312,52 +239,28 @@ pub fn in_elimination_order(domain: Domain, pattern: &Pattern) -> Option<(Domain
 /// It is computed on the graph of nodes, nine times smaller than the graph of unknowns and
 /// with the same fill: the three unknowns of a node have the same neighbors.
 pub fn elimination_order(pattern: &Pattern) -> Option<Vec<u32>> {
-    let (starts, neighbors) = pattern.adjacency();
-    let n = pattern.node_count();
-    let graph = SymbolicSparseColMatRef::new_checked(n, n, starts, None, neighbors);
-
-    let mut forward = vec![0; n];
-    let mut inverse = vec![0; n];
-    let request = amd::order_scratch::<u32>(n, neighbors.len());
-    let mut memory = MemBuffer::try_new(request).ok()?;
-    amd::order(
-        &mut forward,
-        &mut inverse,
-        graph,
-        amd::Control::default(),
-        MemStack::new(&mut memory),
-    )
-    .ok()?;
-    Some(forward)
+    let (starts, rows) = pattern.adjacency();
+    minimum_degree(Triangle { starts, rows })
 }
 
 /// The smallest ratio of a pivot, a diagonal entry of D or a squared diagonal entry of L,
 /// to the diagonal entry of the matrix; NaN is treated as smallest.
-fn smallest_pivot<T: Scalar>(
-    blocks: &SymbolicSupernodalCholesky<u32>,
-    factor: &[T],
+fn smallest_pivot<T: Entry>(
+    cholesky: &Cholesky<T>,
     (e, pattern): (&CsMatI<T, u32>, &Pattern),
 ) -> Pivot {
-    let is_definite = pattern.order().is_none();
+    let is_definite = definiteness(pattern) == Definiteness::Positive;
     let mut smallest = (0, f64::INFINITY);
-    for s in 0..blocks.n_supernodes() {
-        let begin = blocks.supernode_begin()[s] as usize;
-        let end = blocks.supernode_end()[s] as usize;
-        let first = blocks.col_ptr_for_val()[s] as usize;
-        let rows = (blocks.col_ptr_for_val()[s + 1] as usize - first) / (end - begin);
-        for column in begin..end {
-            let local = column - begin;
-            let entry = factor[first + local * rows + local];
-            let pivot = if is_definite {
-                entry.modulus_squared()
-            } else {
-                entry.real()
-            };
-            let diagonal = e.data()[e.indptr().outer_inds_sz(column).start].real();
-            let ratio = pivot / diagonal;
-            if ratio.is_nan() || ratio < smallest.1 {
-                smallest = (column, ratio);
-            }
+    for (row, entry) in cholesky.pivots().enumerate() {
+        let pivot = if is_definite {
+            entry.modulus_squared()
+        } else {
+            entry.real()
+        };
+        let diagonal = e.data()[e.indptr().outer_inds_sz(row).start].real();
+        let ratio = pivot / diagonal;
+        if ratio.is_nan() || ratio < smallest.1 {
+            smallest = (row, ratio);
         }
     }
     let (row, ratio) = smallest;

@@ -30,6 +30,7 @@ mod property_files;
 mod report_stress;
 mod sensitivity;
 mod strength;
+mod strength_tables;
 mod stress;
 mod unchanged;
 #[path = "../../../tests/common/unpacked.rs"]

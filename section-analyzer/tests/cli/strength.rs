@@ -22,7 +22,7 @@ m_matrix = 8
 ";
 
 /// A solved blade of three stations, with strengths of one material.
-fn solved() -> Workplace {
+pub fn solved() -> Workplace {
     let workplace = Workplace::new();
     workplace.write("a.layup.toml", &format!("{LAYUP}\n{STRENGTHS}"));
     let blade = ["blade", "a.layup.toml", "--out", "b", "--no-figures"];
@@ -31,20 +31,20 @@ fn solved() -> Workplace {
     workplace
 }
 
-fn strength(workplace: &Workplace, loads: &str, more: &[&str]) -> Run {
+pub fn strength(workplace: &Workplace, loads: &str, more: &[&str]) -> Run {
     workplace.write("loads.csv", loads);
     let command = ["strength", "b/a.span.csv", "--loads", "loads.csv"];
     workplace.run(&[&command[..], more].concat())
 }
 
-type Row = BTreeMap<String, String>;
+pub type Row = BTreeMap<String, String>;
 
-fn number(row: &Row, column: &str) -> f64 {
+pub fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap()
 }
 
 /// The rows of a table, by the names of its columns.
-fn rows(workplace: &Workplace, file: &str) -> Vec<Row> {
+pub fn rows(workplace: &Workplace, file: &str) -> Vec<Row> {
     let text = workplace.read(file);
     let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned));
     let names: Vec<String> = lines.next().unwrap().collect();

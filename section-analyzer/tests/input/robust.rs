@@ -196,7 +196,8 @@ fn changed_tables_of_loads_are_read_or_refused() {
         let [good, bad] = survivors(&seed("load_table", name), |bytes| {
             std::fs::write(&path, bytes).unwrap();
             match read_loads(&path, &positions) {
-                Ok(instants) => {
+                Ok(loads) => {
+                    let instants = loads.instants;
                     assert!(instants.iter().all(|instant| !instant.points.is_empty()));
                     true
                 }

@@ -233,6 +233,16 @@ const WRONG: &[(&str, &str, &str)] = &[
     ),
     (
         "taper = \"1:20\"",
+        "taper = \"1:20\"\nprofile = [[0, 0], [0.5, 1], [1, 0]]",
+        "layer \"cap\" has a \"taper\" beside a \"profile\" that is zero at both ends",
+    ),
+    (
+        "origin = 0.25",
+        "origin = 50",
+        "expected a part of the chord from -1 to 2",
+    ),
+    (
+        "taper = \"1:20\"",
         "profile = [[0, 1], [0.5, 1]]",
         "expected rows of a part of the width",
     ),
@@ -380,4 +390,40 @@ fn profiles_have_their_areas() {
         let found = area(profile) / whole;
         assert!((found / part - 1.0).abs() < 5e-3, "{profile}: {found}");
     }
+}
+
+/// A layer by a table of one position is there only, and along the whole span if it is held; a
+/// written file has it so.
+#[test]
+fn one_position_is_no_range() {
+    let names = |layup: &Layup, eta: f64| -> Vec<String> {
+        let found = layup.section(eta);
+        let found = found.unwrap_or_else(|problems| panic!("{problems}"));
+        found.layers.into_iter().map(|one| one.name).collect()
+    };
+    let table = "{ eta = [0.2, 0.4], value = [0.001, 0.001], hold = true }";
+    for (one, there) in [
+        ("{ eta = [0.3], value = [0.001] }", [false, true, false]),
+        ("{ eta = [0.3], value = [0.001], hold = true }", [true; 3]),
+    ] {
+        let layup = parse(&TEXT.replace(table, one));
+        let layup = layup.unwrap_or_else(|problems| panic!("{problems}"));
+        let again = parse(&layup_file(&layup, "a.layup.toml"))
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        for layup in [&layup, &again] {
+            let patch = "patch".to_owned();
+            let found = [0.26, 0.3, 0.34].map(|eta| names(layup, eta).contains(&patch));
+            assert_eq!(found, there, "{one}");
+        }
+    }
+}
+
+#[test]
+fn a_distance_beyond_the_side_is_named() {
+    let far = "to = { distance = \"99 m\", side = \"suction\" }";
+    let layup = parse(&TEXT.replace("to = \"nose - 0.02\"", far));
+    let layup = layup.unwrap_or_else(|problems| panic!("{problems}"));
+    let problem = layup.section(0.26).expect_err("a place beyond the contour");
+    let expected = "\"distance = 99 m\" is not on the contour at eta 0.26";
+    assert!(problem.to_string().contains(expected), "{problem}");
 }

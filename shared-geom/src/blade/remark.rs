@@ -79,15 +79,13 @@ impl Blade {
     fn mass_remark(&self, unit: Option<f64>) -> Option<String> {
         let axial = self.median(|at| axial_square(&at.stiffness, &at.mass));
         let bending = self.median(|at| bending_square(&at.stiffness, &at.mass));
-        // Mass without stiffness makes each of them smaller: the larger one is used.
-        let square = axial.into_iter().chain(bending).reduce(f64::max)?;
+        let squares = Squares::of([axial, bending])?;
         let plastic = self.stations.iter();
-        let plastic = plastic.filter(|at| is_solid_plastic(square, &at.stiffness, &at.mass));
+        let plastic = plastic.filter(|at| is_solid_plastic(squares.large, &at.stiffness, &at.mass));
         if 2 * plastic.count() > self.stations.len() {
             return None;
         }
-        let of = "median of the stations, the larger of EA / m and EI / I";
-        square_remark(square, of, unit)
+        squares.remark("median of the stations, ", unit)
     }
 
     /// Flap stiffer than lag: another frame or order than declared.
@@ -159,41 +157,93 @@ impl Blade {
 /// Likely mistake in the stiffness and the mass of one section about one point, as text:
 /// inconsistent units.
 pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
-    let square = section_square(stiffness, mass)?;
-    if is_solid_plastic(square, stiffness, mass) {
+    let squares = Squares::of_section(stiffness, mass)?;
+    if is_solid_plastic(squares.large, stiffness, mass) {
         return None;
     }
-    square_remark(square, SECTION, None)
+    squares.remark("", None)
 }
 
 /// As [`section_remark`], for numbers that were written for the model itself and in
-/// consistent units: soft ones may be intended, which the remark mentions.
+/// consistent units: soft and rigid ones may be intended, which the remark mentions.
 pub fn written_section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
-    let square = section_square(stiffness, mass)?;
-    if square.sqrt() >= SLOW {
-        return square_remark(square, SECTION, None);
-    }
-    if is_solid_plastic(square, stiffness, mass) {
+    let squares = Squares::of_section(stiffness, mass)?;
+    let (square, of, limit, meant) = if squares.small.sqrt() > FAST {
+        (
+            squares.small,
+            SMALLER,
+            format!("below {:.1e}", FAST * FAST),
+            "rigid",
+        )
+    } else if squares.large.sqrt() < SLOW && !is_solid_plastic(squares.large, stiffness, mass) {
+        (
+            squares.large,
+            LARGER,
+            format!("above {:.1e}", SLOW * SLOW),
+            "soft",
+        )
+    } else {
         return None;
-    }
+    };
     Some(format!(
-        "stiffness over mass is {square:.3e} m^2/s^2 ({SECTION}), for blades above {:.1e}: \
-         ignore this if the model is meant to be soft",
-        SLOW * SLOW
+        "stiffness over mass is {square:.3e} m^2/s^2 ({of}), for blades {limit}: ignore this if the \
+         model is meant to be {meant}"
     ))
 }
 
-/// Name of the number of a section.
-const SECTION: &str = "the larger of EA / m and EI / I";
+/// Names of the two squares.
+const LARGER: &str = "the larger of EA / m and EI / I";
+const SMALLER: &str = "the smaller of EA / m and EI / I";
 
-/// The larger square of a speed of sound of a section [m^2/s^2].
-fn section_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<f64> {
-    let squares = [
-        axial_square(stiffness, mass),
-        bending_square(stiffness, mass),
-    ];
-    let squares = squares.into_iter().filter(|x| x.is_finite() && *x > 0.0);
-    squares.reduce(f64::max)
+/// Squares of the speed of sound [m^2/s^2]. Mass without stiffness makes each of them smaller: the
+/// larger one shows whether the mass is too large. A body without much rotary inertia makes the one of
+/// bending larger: the smaller one shows whether the mass is too small.
+#[derive(Clone, Copy)]
+struct Squares {
+    small: f64,
+    large: f64,
+}
+
+impl Squares {
+    /// Of the numbers that are finite and positive; `None` without any.
+    fn of(squares: [Option<f64>; 2]) -> Option<Self> {
+        let squares = squares.into_iter().flatten();
+        let squares = squares.filter(|x| x.is_finite() && *x > 0.0);
+        Some(Self {
+            small: squares.clone().reduce(f64::min)?,
+            large: squares.reduce(f64::max)?,
+        })
+    }
+
+    fn of_section(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<Self> {
+        Self::of([axial_square, bending_square].map(|square| Some(square(stiffness, mass))))
+    }
+
+    /// Remark on a section, or on what `of` describes, in a file that declares the unit of length
+    /// `unit` [m].
+    fn remark(self, of: &str, unit: Option<f64>) -> Option<String> {
+        if self.small.sqrt() > FAST {
+            let implied = implied(self.small, &format!("{of}{SMALLER}"));
+            return Some(format!(
+                "{implied}, lighter than any material: check the units of mass and stiffness"
+            ));
+        }
+        slow_remark(self.large, &format!("{of}{LARGER}"), unit)
+    }
+}
+
+/// The density of a usual material with the square of a speed of sound, as text.
+fn implied(square: f64, of: &str) -> String {
+    let density = MODULUS / square;
+    let density = if density < 10.0 {
+        format!("{density:.2}")
+    } else {
+        format!("{density:.0}")
+    };
+    format!(
+        "stiffness over mass is {square:.3e} m^2/s^2 ({of}): a material of 70 GPa would weigh \
+         {density} kg/m^3"
+    )
 }
 
 /// Whether a section whose square of the speed of sound is `square` [m^2/s^2] can be a solid
@@ -234,22 +284,13 @@ fn bending_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
     sum(stiffness) / sum(mass)
 }
 
-/// Remark on the square of a speed of sound [m^2/s^2], which `of` describes, in a file
-/// that declares the unit of length `unit` [m].
-fn square_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
-    let (speed, density) = (square.sqrt(), MODULUS / square);
-    let implied = format!(
-        "stiffness over mass is {square:.3e} m^2/s^2 ({of}): a material of 70 GPa would weigh \
-         {density:.0} kg/m^3"
-    );
-    if speed > FAST {
-        return Some(format!(
-            "{implied}, lighter than any material: check the units of mass and stiffness"
-        ));
-    }
-    if speed >= SLOW {
+/// Remark on a small square of the speed of sound [m^2/s^2], which `of` describes, in a file that
+/// declares the unit of length `unit` [m].
+fn slow_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
+    if square.sqrt() >= SLOW {
         return None;
     }
+    let implied = implied(square, of);
     // Factor by which the mass is too large.
     let excess = USUAL * USUAL / square;
     let is_unit = |known: f64| unit.is_none_or(|unit| (unit / known - 1.0).abs() < 1e-9);

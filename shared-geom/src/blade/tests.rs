@@ -455,8 +455,27 @@ fn a_soft_inline_section_is_reported_in_a_line() {
     assert!(!soft.contains("weigh"), "{soft}");
     let reported = section_remark(&stiffness, &(1e5 * mass)).unwrap();
     assert!(reported.contains("do not fit each other"), "{reported}");
-    let light = written_section_remark(&stiffness, &(1e-3 * mass)).unwrap();
-    assert!(light.contains("lighter than any"), "{light}");
+    let rigid = written_section_remark(&stiffness, &(1e-3 * mass)).unwrap();
+    assert!(
+        rigid.starts_with(
+            "stiffness over mass is 2.593e10 m^2/s^2 (the smaller of EA / m and EI / I)"
+        ),
+        "{rigid}"
+    );
+    assert!(
+        rigid.ends_with("for blades below 4.0e8: ignore this if the model is meant to be rigid"),
+        "{rigid}"
+    );
+    let light = section_remark(&stiffness, &(1e-3 * mass)).unwrap();
+    assert!(
+        light.contains("would weigh 2.70 kg/m^3, lighter than any material"),
+        "{light}"
+    );
+    // A bar of points has hardly any rotary inertia: its mass alone counts.
+    let mut points = mass;
+    points.fixed_view_mut::<3, 3>(3, 3).scale_mut(1e-6);
+    assert_eq!(written_section_remark(&stiffness, &points), None);
+    assert_eq!(section_remark(&stiffness, &points), None);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use sparse_solver::gmres;
 
 /// Pseudorandom numbers between -1 and 1.
-fn scattered(count: usize, seed: usize) -> Vec<f64> {
+pub fn scattered(count: usize, seed: usize) -> Vec<f64> {
     (0..count)
         .map(|i| (1.0 + 12.9898 * (i + 1) as f64 + 78.233 * seed as f64).sin() * 43758.5453)
         .map(|x| 2.0 * (x - x.floor()) - 1.0)

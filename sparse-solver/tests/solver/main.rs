@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod arnoldi;
+mod cholesky;
 mod descriptor;
 mod gmres;
 mod linear;

@@ -175,6 +175,11 @@ const WRONG: &[(&str, &str, &str)] = &[
         "harmonic 2 of an equilibrium",
     ),
     (
+        "value = 0.5\n",
+        "value = 0.5\npart = \"sine\"\n",
+        "\"part\" without \"harmonic\": the target is the mean, which has no parts",
+    ),
+    (
         "name = \"ahead\"",
         "name = \"to the right\"",
         "to the right",

@@ -17,6 +17,8 @@ use shared_geom::units::rounded;
 const LEAST: usize = 20;
 /// Difference of steps that are treated as equal, as a part of the step: the digits of tables.
 const EQUAL: f64 = 1e-6;
+/// Largest step, in mean steps: an interpolation over more invents the motion.
+const GAP: f64 = 10.0;
 /// Half the length of the filter over the distance of the thinned samples. The window of Blackman of
 /// this length passes .3 and stops .5 of the new rate by 1e-4.
 const HALF: usize = 14;
@@ -44,6 +46,17 @@ pub enum RecordProblem {
         /// A time and its successor \[s\].
         times: [f64; 2],
     },
+    /// Samples missing.
+    #[error(
+        "the record has a gap: from {} s to {} s, {:.0} times its mean step",
+        rounded(.times[0]), rounded(.times[1]), .steps
+    )]
+    Gap {
+        /// Its beginning and end \[s\].
+        times: [f64; 2],
+        /// Its length in mean steps.
+        steps: f64,
+    },
     /// A constant, or a record of motions that do not oscillate.
     #[error("the record has no oscillation")]
     NoOscillation,
@@ -60,6 +73,9 @@ impl Explain for RecordProblem {
             }
             Self::Undefined { .. } => "take a part of the run with values, by --from and --to",
             Self::Unordered { .. } => "give the table of one run, with ascending times",
+            Self::Gap { .. } => {
+                "take the part before or behind it, by --from and --to, or write all rows"
+            }
             Self::NoOscillation => {
                 "choose a column that moves, or a part of the run in which it does"
             }
@@ -117,6 +133,13 @@ impl Record {
         }
         let start = times[0];
         let step = (times[count - 1] - start) / (count - 1) as f64;
+        let gap = times.windows(2).find(|pair| pair[1] - pair[0] > GAP * step);
+        if let Some(pair) = gap {
+            return Err(RecordProblem::Gap {
+                times: [pair[0], pair[1]],
+                steps: (pair[1] - pair[0]) / step,
+            });
+        }
         let equal = times.iter().enumerate();
         let is_equal = equal
             .map(|(k, time)| (time - start - step * k as f64).abs())

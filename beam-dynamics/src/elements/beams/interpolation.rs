@@ -40,7 +40,7 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::lagrange;
 use shared_geom::rotation::parameters::{Parametrization, RotationMap};
-use shared_geom::rotation::{skew, times_skew, vector};
+use shared_geom::rotation::{product, skew, times_skew, vector};
 
 use super::attachment::BeamGeometry;
 use crate::model::NodeMotion;
@@ -104,11 +104,11 @@ impl NodalKinematics {
         let x = [nodes[0].position, nodes[1].position, nodes[2].position];
         let offset = |j: usize| nodes[j].rotation * geometry.nodes[j].offset;
         let f = [offset(0), offset(1), offset(2)];
-        let section = |j: usize| nodes[j].rotation * geometry.nodes[j].orientation;
+        let section = |j: usize| product(&nodes[j].rotation, &geometry.nodes[j].orientation);
         let a = section(1);
         let parametrization = geometry.formulation.parametrization();
         let relative = |j: usize| {
-            let psi = parametrization.of_rotation(&(a.transpose() * section(j)));
+            let psi = parametrization.of_rotation(&product(&a.transpose(), &section(j)));
             let is_beyond = parametrization == Parametrization::RotationVector
                 && psi.norm_squared() > LARGEST * LARGEST;
             parametrization.at(&if is_beyond {
@@ -125,8 +125,8 @@ impl NodalKinematics {
             a,
             parametrization,
             relative: [
-                outer[0].tangent_inverse() * a.transpose(),
-                outer[1].tangent_inverse() * a.transpose(),
+                product(&outer[0].tangent_inverse(), &a.transpose()),
+                product(&outer[1].tangent_inverse(), &a.transpose()),
             ],
             outer,
         }
@@ -150,7 +150,7 @@ impl NodalKinematics {
             p: shape.sum(&self.p),
             l: shape.slope(&self.p) / j0,
             psi_prime: (shape.d[0] * first + shape.d[2] * last) / j0,
-            r: self.a + self.a * times_skew(&tangent, &psi),
+            r: self.a + product(&self.a, &times_skew(&tangent, &psi)),
             tangent,
             map,
         }
@@ -161,9 +161,9 @@ impl NodalKinematics {
     /// `T_1 = N_1 B A_1`, `T_3 = N_3 B A_3`, `T_2 = I - T_1 - T_3`.
     pub fn rotation_variation(&self, shape: &Shape, point: &PointKinematics) -> [Matrix3<f64>; 3] {
         let relative = &self.relative;
-        let b = self.a * point.tangent;
-        let first = shape.n[0] * b * relative[0];
-        let last = shape.n[2] * b * relative[1];
+        let b = product(&self.a, &point.tangent);
+        let first = shape.n[0] * product(&b, &relative[0]);
+        let last = shape.n[2] * product(&b, &relative[1]);
         [first, Matrix3::identity() - first - last, last]
     }
 

@@ -7,7 +7,7 @@ use rotor_aero::airfoil::{Section, built_in};
 use rotor_aero::inflow::{Disk, InflowModel};
 use rotor_aero::momentum::{HighInduction, Options};
 use rotor_aero::strip::{AnnularInflow, SectionModel, Strip, StripDesign, StripInflow, Wake};
-use rotor_aero::wake::TimeScale;
+use rotor_aero::wake::{Forcing, TimeScale};
 use rotor_aero::wind::{
     Atmosphere, Event, EventShape, GustShape, Mean, MeanWind, Tower, TowerPotential, TowerShadow,
     TravelingGust, Wind,
@@ -104,10 +104,13 @@ fn designs() -> Vec<StripDesign> {
         None,
         annular(Wake::Equilibrium, HighInduction::Buhl),
         annular(
-            Wake::Dynamic(TimeScale::Turbine),
+            Wake::Dynamic(TimeScale::Turbine, Forcing::Steady),
             HighInduction::BuhlOutside,
         ),
-        annular(Wake::Dynamic(hover), HighInduction::Polynomial),
+        annular(
+            Wake::Dynamic(hover, Forcing::Lagged),
+            HighInduction::Polynomial,
+        ),
     ];
     let airfoils = ["naca0012", "flat_plate", "thin"];
     let mut all = Vec::new();
@@ -255,12 +258,15 @@ fn radii_of_tips() {
     }
 }
 
-/// A disk of every model with the ground below it.
+/// A disk of every model with the ground below it; the last one without a skewed wake of its annuli.
 fn disks(random: &mut Random) -> Vec<(Shaft, Arc<RotorDisk>)> {
     let words = InflowModel::WORDS.iter();
     let models = words.filter_map(|word| InflowModel::of_word(word));
-    models
-        .map(|model| {
+    let skewed = models.map(|model| (model, true));
+    let plain = InflowModel::of_word("none").map(|model| (model, false));
+    skewed
+        .chain(plain)
+        .map(|(model, is_skewed)| {
             let shaft = Shaft {
                 center: random.vector(0.5),
                 axis: (Vector3::z() + random.vector(0.3)).normalize(),
@@ -271,7 +277,7 @@ fn disks(random: &mut Random) -> Vec<(Shaft, Arc<RotorDisk>)> {
             };
             let disk = Disk { model, radius: 2.0 };
             let disk = RotorDisk::new("rotor", disk, (shaft, &shaft.axis), Some(ground));
-            (shaft, Arc::new(disk))
+            (shaft, Arc::new(disk.skewed(is_skewed)))
         })
         .collect()
 }
@@ -299,7 +305,7 @@ fn strips_in_disks() {
         blades: 3,
         hub_radius: 0.01,
         options: Options::default(),
-        wake: Wake::Dynamic(TimeScale::Turbine),
+        wake: Wake::Dynamic(TimeScale::Turbine, Forcing::Lagged),
     };
     let design = |inflow| StripDesign {
         chord: 0.7,
@@ -311,7 +317,7 @@ fn strips_in_disks() {
     for _ in 0..5 {
         for (shaft, disk) in disks(&mut random) {
             let inflow = match disk.scalars().len() {
-                8 => StripInflow::Skewed(annulus),
+                8 => StripInflow::Distributed(annulus),
                 _ => StripInflow::Disk,
             };
             for hub in [None, Some(1)] {

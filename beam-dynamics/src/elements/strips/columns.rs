@@ -15,7 +15,7 @@
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
 use rotor_aero::strip::{FLOW as STRIP_FLOW, LOADS, STATES, StripJacobian};
-use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
+use shared_geom::rotation::{product, skew, skew_skew, skew_times, times_skew};
 
 use super::in_disk::{InDiskState, OF_DISK};
 use super::kinematics::{FLOW, Flow};
@@ -90,8 +90,8 @@ impl Columns<'_> {
         let turned = skew_skew(self.flow.turning(), arm);
         // K_X and K_T.
         for b in 0..OF_NODES + rows.count.div_ceil(3) {
-            by_position[b] += by_velocity[b] * gradient;
-            by_axes[b] -= times_skew(&by_position[b], arm) + by_velocity[b] * turned;
+            by_position[b] += product(&by_velocity[b], gradient);
+            by_axes[b] -= times_skew(&by_position[b], arm) + product(&by_velocity[b], &turned);
         }
         for j in 0..self.flow.point.count {
             let share = &self.flow.point.shares[j];
@@ -105,9 +105,9 @@ impl Columns<'_> {
                 n * (by_omega[b] - times_skew(&by_velocity[b], &reach))
             });
             self.add(&rows, (j, Variable::Rotation), out, |b| {
-                by_axes[b] * share.turn
+                product(&by_axes[b], &share.turn)
                     - times_skew(&by_position[b], &weighted)
-                    - by_velocity[b] * turned
+                    - product(&by_velocity[b], &turned)
             });
         }
         if let Some(hub) = hub {
@@ -174,7 +174,7 @@ impl Columns<'_> {
     ) -> Stack {
         let axes = &self.flow.axes;
         let [x, y, z, m] = loads;
-        let mut force = axes * Matrix3::from_rows(&[x, y, z]) * self.length;
+        let mut force = product(axes, &Matrix3::from_rows(&[x, y, z])) * self.length;
         let mut own = axes.column(2) * (m * self.length);
         if is_turn {
             force -= skew(&self.loads.force);
@@ -187,7 +187,8 @@ impl Columns<'_> {
         let mut stack = [Matrix3::zeros(); BLOCKS];
         for (j, load) in self.flow.point.loads() {
             stack[2 * j] = load.force * force;
-            stack[2 * j + 1] = load.moment_by_force * force + load.moment_by_moment * moment;
+            stack[2 * j + 1] =
+                product(&load.moment_by_force, &force) + product(&load.moment_by_moment, &moment);
         }
         for (i, row) in rows.iter().enumerate() {
             stack[OF_NODES + i / 3].set_row(i % 3, &row[k]);

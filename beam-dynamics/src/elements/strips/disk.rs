@@ -31,6 +31,7 @@ use crate::model::{NodeMotion, Quantity, Scalar, ScalarSpec, ScalarStart, Variab
 
 mod axes;
 mod fixed_axes;
+mod ground;
 
 pub(super) use axes::DiskAxes;
 
@@ -52,6 +53,8 @@ pub struct RotorDisk {
     /// A direction across the shaft that is fixed in the frame.
     reference: Vector3<f64>,
     ground: Option<Ground>,
+    /// Whether velocities of annuli are distributed by the skew of the wake.
+    is_skewed: bool,
     /// The flow, the loads, the states, and the factor of the ground.
     scalars: Vec<Scalar>,
 }
@@ -127,8 +130,16 @@ impl RotorDisk {
             disk,
             shaft,
             ground,
+            is_skewed: false,
             scalars,
         }
+    }
+
+    /// The same with velocities of annuli that are distributed by the skew of the wake.
+    #[must_use]
+    pub fn skewed(mut self, is_skewed: bool) -> Self {
+        self.is_skewed = is_skewed;
+        self
     }
 
     /// The unknowns that a strip uses.
@@ -152,7 +163,7 @@ impl RotorDisk {
     }
 
     /// The induced velocity at a position in the disk for the values of its unknowns \[m/s\]; of a
-    /// strip whose annulus has a mean velocity by the skew of the wake.
+    /// strip whose annulus has a mean velocity, this one, or with the skew of the wake.
     pub(super) fn induced(&self, position: &[f64; 2], values: &[f64], mean: Option<f64>) -> f64 {
         let inputs = self.inputs(position, values, mean);
         self.factor(values) * self.at_position(&inputs, mean.is_some())
@@ -197,15 +208,15 @@ impl RotorDisk {
         inputs
     }
 
-    /// The induced velocity without the factor of the ground; `is_skewed` with the mean velocity of
+    /// The induced velocity without the factor of the ground; `has_mean` with the mean velocity of
     /// an annulus.
-    fn at_position<T: Real>(&self, of: &[T; INDUCED], is_skewed: bool) -> T {
+    fn at_position<T: Real>(&self, of: &[T; INDUCED], has_mean: bool) -> T {
         let (flow, position) = (flow(&of[2..]), [of[0], of[1]]);
         let states = &of[2 + FLOW..2 + FLOW + self.state_count()];
-        let found = if is_skewed {
-            Some(self.disk.skewed(&flow, of[2 + FLOW], &position))
-        } else {
-            self.disk.induced(&flow, states, &position)
+        let found = match (has_mean, self.is_skewed) {
+            (true, true) => Some(self.disk.skewed(&flow, of[2 + FLOW], &position)),
+            (true, false) => Some(of[2 + FLOW]),
+            (false, _) => self.disk.induced(&flow, states, &position),
         };
         found.unwrap_or_else(|| T::from(0.0))
     }
@@ -412,47 +423,6 @@ impl DiskInflow {
         out.add_scalar_row(3, (0, Variable::AngularVelocity), &-shaft.transpose());
         let by_turn = hub.omega.transpose() * skew(&shaft);
         out.add_scalar_row(3, (0, Variable::Rotation), &by_turn);
-    }
-
-    /// Adds the row of the factor of the ground.
-    fn add_ground(
-        &self,
-        at: &Local<'_>,
-        hub: &Hub,
-        out: &mut LocalResidual,
-        jacobian: Option<&mut LocalJacobian>,
-    ) {
-        let Some(ground) = &self.disk.ground else {
-            return;
-        };
-        let count = self.disk.state_count();
-        let row = STATES + count;
-        let values = at.scalars.values;
-        let mut inputs = [0.0; INDUCED];
-        inputs[0] = ground.up.dot(&hub.shaft.center) - ground.level;
-        inputs[1..1 + FLOW].copy_from_slice(&values[..FLOW]);
-        inputs[1 + FLOW..1 + FLOW + count].copy_from_slice(&values[STATES..STATES + count]);
-        let of: [_; INDUCED] =
-            std::array::from_fn(|i| DualSVec64::<INDUCED>::from_re(inputs[i]).derivative(i));
-        let states = &of[1 + FLOW..1 + FLOW + count];
-        let factor = self.disk.disk.ground_factor(&flow(&of[1..]), states, of[0]);
-        out.add_scalar(row, values[row]);
-        out.add_scalar(row, -factor.re);
-        let Some(out) = jacobian else { return };
-        let slopes = factor.eps.unwrap_generic(nalgebra::Const, nalgebra::Const);
-        out.add_scalar(row, row, 1.0, false);
-        for i in 0..FLOW {
-            out.add_scalar(row, i, -slopes[1 + i], false);
-        }
-        for k in 0..count {
-            out.add_scalar(row, STATES + k, -slopes[1 + FLOW + k], false);
-        }
-        if !self.nodes.is_empty() {
-            let by_point = -slopes[0] * ground.up.transpose();
-            out.add_scalar_row(row, (0, Variable::Position), &by_point);
-            let by_turn = by_point * -skew(&hub.shaft.offset);
-            out.add_scalar_row(row, (0, Variable::Rotation), &by_turn);
-        }
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) struct InDisk {
     /// Length of the strip [m].
     length: f64,
     /// Whether its annulus has a mean velocity, its second unknown.
-    is_skewed: bool,
+    has_mean: bool,
 }
 
 /// The derivatives of the strip at a state.
@@ -50,7 +50,7 @@ impl InDisk {
     pub fn new(disk: Arc<RotorDisk>, first: usize, length: f64) -> Self {
         Self {
             first,
-            is_skewed: disk.state_count() == 0,
+            has_mean: disk.state_count() == 0,
             disk,
             length,
         }
@@ -92,7 +92,7 @@ impl InDisk {
 
     /// The mean velocity of its annulus, if it has one.
     fn mean(&self, scalars: &[f64]) -> Option<f64> {
-        self.is_skewed.then(|| scalars[1])
+        self.has_mean.then(|| scalars[1])
     }
 
     /// `f . s ds`.
@@ -164,7 +164,7 @@ impl InDiskState<'_> {
             let slope = self.induced.by_scalar(i, states);
             out.add_scalar(0, self.of.first + i, -slope, false);
         }
-        if self.of.is_skewed {
+        if self.of.has_mean {
             out.add_scalar(0, 1, -self.induced.by_mean(), false);
         }
     }

@@ -27,7 +27,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, RowVector3, Vector3};
-use shared_geom::rotation::{skew, skew_skew};
+use shared_geom::rotation::{product, skew, skew_skew};
 
 use super::carrier::{Carrier, CarrierState};
 use super::disk::{DiskAxes, RotorDisk};
@@ -108,7 +108,7 @@ impl Mount {
     ) -> Flow<'a> {
         let point = state.carried();
         let arm = point.rotation * self.offset;
-        let axes = point.rotation * self.axes;
+        let axes = product(&point.rotation, &self.axes);
         let position = point.position + arm;
         let [velocity, omega] = point.velocities(at.nodes);
         let (wind, by_position) = air(&position, at.loading.time);

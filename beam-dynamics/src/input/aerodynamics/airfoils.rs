@@ -33,6 +33,8 @@ keys! {
     DRAG: f64 = "drag", [NotNegative(Dimension::NUMBER)], or "0" = 0.0, "0.01";
     /// Linear lift: coefficient of the moment about the quarter chord.
     MOMENT: f64 = "moment", [Quantity(Dimension::NUMBER)], or "0" = 0.0, "-0.05";
+    /// Thickness over chord, in place of the one of its file: its place in a `family`.
+    THICKNESS: Option<f64> = "thickness", [Positive(Dimension::NUMBER)], or "as in the file", "0.21";
     with STALL_DELAY.schema, VITERNA.schema, COMPRESSIBLE.schema, MIRROR.schema,
         UNSTEADY.schema;
 }
@@ -52,8 +54,10 @@ pub(in crate::input) fn read(root: &Table<'_>) -> Airfoils {
         let found = airfoil(&name, &table, &mut airfoils.remarks);
         let (airfoil, constants) = found.unzip();
         let constants = unsteady::read(&table, constants.unwrap_or_default());
-        let airfoil = airfoil.zip(constants);
-        let airfoil = airfoil.map(|(airfoil, constants)| airfoil.with_unsteady(constants));
+        let airfoil = airfoil.zip(constants).zip(table.get(&THICKNESS));
+        let airfoil = airfoil.map(|((airfoil, constants), thickness)| {
+            airfoil.with_unsteady(constants).with_thickness(thickness)
+        });
         table.finish();
         airfoils.named.push((name, airfoil.map(Arc::new)));
     }

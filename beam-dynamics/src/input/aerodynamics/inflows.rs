@@ -12,7 +12,7 @@ use shared_geom::units::Dimension;
 use rotor_aero::inflow::InflowModel;
 use rotor_aero::momentum::Options;
 use rotor_aero::strip::{AnnularInflow, Wake};
-use rotor_aero::wake::TimeScale;
+use rotor_aero::wake::{Forcing, TimeScale};
 
 use super::problem::StripProblem;
 use super::switches::{
@@ -49,13 +49,16 @@ keys! {
     WAKE: usize = "wake", [Word(&["equilibrium", "dynamic", "hover", "frozen"])],
         or "\"equilibrium\"" = 0,
         "\"dynamic\"";
+    /// Velocities that the lags of a wake `dynamic` or `hover` follow: of momentum at the loads with the
+    /// lagged velocities, or of the steady state with static sections at the present pitch, motion and wind.
+    FORCING: usize = "forcing", [Word(&["lagged", "steady"])], or "\"lagged\"" = 0, "\"steady\"";
     /// Distribution of the induced velocity over the azimuth by the skew of the wake in yaw.
     SKEW: bool = "skew", [Boolean], or "false" = false, "true";
     /// Radius of the disk.
     RADIUS: Option<f64> = "radius", [Positive(Dimension::LENGTH)], or "the radius of the tip", "7.5";
     /// Part of the radius beyond which blades have no lift: the loss at the tips of a disk.
     EFFECTIVE_RADIUS: f64 = "effective_radius", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.97";
-    /// Coordinate of a level ground along the vertical: ground effect.
+    /// Coordinate of a level ground along the vertical: ground effect, of all kinds.
     GROUND: Option<f64> = "ground", [Quantity(Dimension::LENGTH)], or "no ground", "-12";
     with TIP_LOSS.schema, HUB_LOSS.schema, SWIRL.schema, AXIAL_DRAG.schema, TANGENTIAL_DRAG.schema,
         HIGH_INDUCTION.schema;
@@ -76,6 +79,7 @@ pub(in crate::input) const OF_ROTOR: TableSchema = TableSchema {
         TANGENTIAL_DRAG.schema,
         HIGH_INDUCTION.schema,
         WAKE.schema,
+        FORCING.schema,
         SKEW.schema,
         RADIUS.schema,
         EFFECTIVE_RADIUS.schema,
@@ -138,9 +142,29 @@ pub(in crate::input) struct Annular {
     wake: Wake,
     /// Whether it varies over the azimuth with the skew of the wake.
     pub is_skewed: bool,
+    /// Coordinate of the ground along the vertical, if there is one \[m\].
+    pub ground: Option<f64>,
+}
+
+impl Inflow {
+    /// Whether it is of the momentum of annuli.
+    pub fn is_annular(&self) -> bool {
+        matches!(self.kind, InflowKind::Annular(_))
+    }
 }
 
 impl Annular {
+    /// Number of blades and radius at which they begin \[m\], if given; it has no radius of a disk.
+    pub fn stated(&self) -> (Option<usize>, Option<f64>, Option<f64>) {
+        (self.blades, self.hub_radius, None)
+    }
+
+    /// A disk without a model, if the velocities at the strips are not the ones of their annuli.
+    pub fn disk(&self) -> Option<DiskDesign> {
+        let is_other = self.is_skewed || self.ground.is_some();
+        is_other.then(|| DiskDesign::without_model(self.ground))
+    }
+
     /// The inflow of an annulus for a number of blades that begin at a radius \[m\], unless it has
     /// its own.
     pub fn of_blades(&self, blades: usize, hub_radius: f64) -> AnnularInflow {
@@ -196,6 +220,20 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
         };
         table.note(&AXIS, &problem);
     }
+    note_useless(table, &name, kind)?;
+    Some(Inflow {
+        hub,
+        axis,
+        kind: match kind {
+            0 => InflowKind::Annular(annular?),
+            _ => InflowKind::Disk(disk?),
+        },
+        name,
+    })
+}
+
+/// Notes a key of another kind of inflow, or without the key that it belongs to.
+fn note_useless(table: &Table<'_>, name: &str, kind: usize) -> Option<()> {
     let of_annuli = [
         BLADES.name(),
         HUB_RADIUS.name(),
@@ -206,9 +244,10 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
         TANGENTIAL_DRAG.name(),
         HIGH_INDUCTION.name(),
         WAKE.name(),
+        FORCING.name(),
         SKEW.name(),
     ];
-    let of_disks = [RADIUS.name(), EFFECTIVE_RADIUS.name(), GROUND.name()];
+    let of_disks = [RADIUS.name(), EFFECTIVE_RADIUS.name()];
     let mut useless = match kind {
         0 => of_disks.iter(),
         _ => of_annuli.iter(),
@@ -218,19 +257,35 @@ fn inflow(table: &Table<'_>) -> Option<Inflow> {
             0 => format!("a model of the disk as \"kind\": {}", KINDS[1..].join(", ")),
             _ => format!("kind = \"{}\"", KINDS[0]),
         };
-        let name = name.clone();
+        let name = name.to_owned();
         table.note(key, &StripProblem::InflowKey { name, key, needed });
         return None;
     }
-    Some(Inflow {
-        hub,
-        axis,
-        kind: match kind {
-            0 => InflowKind::Annular(annular?),
-            _ => InflowKind::Disk(disk?),
-        },
-        name,
-    })
+    let is_lagged = matches!(table.get(&WAKE), Some(1 | 2));
+    let without = [
+        (
+            FORCING.name(),
+            !is_lagged,
+            "wake = \"dynamic\" or \"hover\"",
+        ),
+        (
+            HUB_RADIUS.name(),
+            table.get(&HUB_LOSS) == Some(false),
+            "hub_loss = true",
+        ),
+        (
+            TANGENTIAL_DRAG.name(),
+            table.get(&SWIRL) == Some(false),
+            "swirl = true",
+        ),
+    ];
+    let useless = without.into_iter().find(|of| of.1 && table.has(of.0));
+    if let Some((key, _, needed)) = useless {
+        let (name, needed) = (name.to_owned(), needed.to_owned());
+        table.note(key, &StripProblem::InflowKey { name, key, needed });
+        return None;
+    }
+    Some(())
 }
 
 /// The axis of the shaft, if given: a unit vector.
@@ -249,16 +304,19 @@ fn axis(table: &Table<'_>) -> Option<Option<Vector3<f64>>> {
 fn annular(table: &Table<'_>) -> Option<Annular> {
     let (blades, hub_radius) = (table.get(&BLADES), table.get(&HUB_RADIUS));
     let (options, wake, skew) = (switches::read(table), table.get(&WAKE), table.get(&SKEW));
+    let ground = table.get(&GROUND);
+    let forcing = [Forcing::Lagged, Forcing::Steady][table.get(&FORCING)?];
     Some(Annular {
         is_skewed: skew?,
+        ground: ground?,
         blades: blades?,
         hub_radius: hub_radius?,
         options: options?,
         wake: [
             Wake::Equilibrium,
-            Wake::Dynamic(TimeScale::Turbine),
-            Wake::Dynamic(HOVER),
-            Wake::Dynamic(TimeScale::Frozen),
+            Wake::Dynamic(TimeScale::Turbine, forcing),
+            Wake::Dynamic(HOVER, forcing),
+            Wake::Dynamic(TimeScale::Frozen, Forcing::Lagged),
         ][wake?],
     })
 }

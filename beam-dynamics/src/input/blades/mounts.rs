@@ -217,7 +217,7 @@ fn root_position(table: &Table<'_>, name: &str) -> Option<RootPosition> {
         }
         (true, false) => table.get(&ROOT)?.map(RootPosition::At),
         (false, true) => table.get(&HUB_RADIUS).map(RootPosition::Radius),
-        (false, false) => Some(RootPosition::At(Vector3::zeros())),
+        (false, false) => Some(RootPosition::Radius(0.0)),
     }
 }
 

@@ -15,6 +15,7 @@ use super::problem::PerformanceProblem;
 use super::stations;
 use crate::case::{MachineKind, linear_between};
 use crate::input::aerodynamics::Airfoils;
+use crate::input::aerodynamics::family::{self, FAMILY};
 
 keys! {
     /// The rotor.
@@ -51,7 +52,7 @@ keys! {
     /// of the last table.
     pub(super) OUTSIDE_MACH: usize = "outside_mach", [Word(&["refuse", "hold"])],
         or "\"refuse\"" = 0, "\"hold\"";
-    with blade_file::FILE.schema, blade_file::AIRFOIL.schema, blade_file::AIRFOILS.schema,
+    with FAMILY.schema, blade_file::FILE.schema, blade_file::AIRFOIL.schema, blade_file::AIRFOILS.schema,
         blade_file::AIRFOIL_FILE.schema, blade_file::SET.schema, blade_file::TWIST_RADII.schema,
         blade_file::TWIST.schema, blade_file::GEOMETRY_RADIUS.schema;
 }
@@ -215,6 +216,9 @@ fn blade(
             });
         }
         (false, Some(file)) => {
+            if family::note_beside_file(table) {
+                return None;
+            }
             return blade_file::read(table, file, (machine, airfoils), remarks);
         }
         (true, Some(_)) => "both \"stations\" and \"file\"",

@@ -3,12 +3,13 @@
 use rotor_aero::airfoil::Section;
 use rotor_aero::rotor::Station;
 use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Text};
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 use super::problem::PerformanceProblem;
 use crate::input::aerodynamics::Airfoils;
+use crate::input::aerodynamics::family::{self, AIRFOIL, Family, THICKNESS};
 
 keys! {
     /// A station of the blades.
@@ -22,8 +23,7 @@ keys! {
     TWIST: f64 = "twist", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "11.5";
     /// Offset from the axis of the blade, downwind positive.
     PREBEND: f64 = "prebend", [Quantity(Dimension::LENGTH)], or "0" = 0.0, "-0.4";
-    /// The airfoil: a name of `[airfoils]`, or a built-in one.
-    AIRFOIL: String = "airfoil", [Text], required, "\"DU21\"";
+    with AIRFOIL.schema, THICKNESS.schema;
 }
 
 /// Reads the stations under a key.
@@ -33,12 +33,16 @@ pub(super) fn read(
     airfoils: &Airfoils,
 ) -> Option<Vec<Station<Section>>> {
     let tables = table.tables(key);
+    let family = Family::read(table, airfoils, "the rotor");
     let read = tables.iter().enumerate().map(|(index, table)| {
-        let station = station(table, airfoils, index + 1);
+        let station = station(table, (airfoils, family.as_ref()), index + 1);
         table.finish();
         station
     });
     let read: Vec<_> = read.collect();
+    let by_thickness = tables.iter().any(|table| table.has(&THICKNESS));
+    family::note_unused(table, family.as_ref(), by_thickness);
+    family.as_ref()?;
     if tables.len() < 2 {
         let found = tables.len();
         table.note(key, &PerformanceProblem::FewStations { found });
@@ -60,17 +64,19 @@ pub(super) fn read(
     sound.then_some(stations)
 }
 
-fn station(table: &Table<'_>, airfoils: &Airfoils, number: usize) -> Option<Station<Section>> {
+fn station(
+    table: &Table<'_>,
+    airfoils: (&Airfoils, Option<&Option<Family>>),
+    number: usize,
+) -> Option<Station<Section>> {
     let (radius, chord) = (table.get(&R), table.get(&CHORD));
     let (twist, prebend) = (table.get(&TWIST), table.get(&PREBEND));
-    let airfoil = table.get(&AIRFOIL);
-    let user = format!("station {number}");
-    let section = airfoils.find(&airfoil?, (table, AIRFOIL.name()), &user);
+    let section = family::of_station(table, airfoils, &format!("station {number}"));
     Some(Station {
         radius: radius?,
         chord: chord?,
         twist: twist?,
         prebend: prebend?,
-        section: section?,
+        section: section?.0,
     })
 }

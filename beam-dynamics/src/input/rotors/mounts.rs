@@ -33,7 +33,7 @@ pub(super) enum Mount {
 /// Reads the tables of a rotor called `name`; `Some(None)` without any.
 pub(super) fn read(table: &Table<'_>, name: &str, context: &Context) -> Option<Option<Mount>> {
     let foot = table.get(&FOOT);
-    let turbine = turbine::read(table, name, foot);
+    let turbine = turbine::read(table, name, (foot, context));
     let pylon = pylon::read(table, name, (foot, context));
     let (turbine, pylon, _) = (turbine?, pylon?, foot?);
     let both = |key, other| {

@@ -4,6 +4,7 @@ use shared_geom::document::schema::TableSchema;
 use shared_geom::document::{Content, Table};
 use shared_geom::units::Dimension;
 use std::collections::BTreeSet;
+use std::f64::consts::{PI, TAU};
 
 use super::arms::PITCH;
 use super::base::{Base, Hinge, Lump, Restraint, Stop};
@@ -29,6 +30,10 @@ use crate::input::moments::moments;
 pub(super) const PITCH_KEY: &str = "pitch";
 /// The key of the strips of a blade.
 pub(super) const AERODYNAMICS: &str = "aerodynamics";
+/// Largest `delta_3` \[rad\]: its tangent is near six.
+const STEEPEST: f64 = 80.0 * PI / 180.0;
+/// Least distance of the azimuths of actuators \[rad\].
+const APART: f64 = 1e-3;
 /// Keys of `[[blade]]` that follow from the rotor.
 const OF_ROTOR: [&str; 13] = [
     "name",
@@ -280,10 +285,16 @@ pub(super) fn controls(
     });
     let link = table.nested(&PITCH_LINK, |table| {
         let (stiffness, damping) = (table.get(&CONTROL_STIFFNESS), table.get(&DAMPING));
+        let delta_3 = table.get(&DELTA_3)?;
+        if delta_3.abs() > STEEPEST {
+            let degrees = delta_3.to_degrees();
+            table.note(&DELTA_3, &RotorProblem::Steep { degrees });
+            return None;
+        }
         Some(Link {
             stiffness: stiffness?,
             damping: damping?,
-            delta_3: table.get(&DELTA_3)?,
+            delta_3,
         })
     });
     let (found, link) = (found?, link?);
@@ -360,8 +371,11 @@ fn plate(table: &Table<'_>, [precone, undersling]: [f64; 2]) -> Option<Plate> {
         let (radius, base_radius) = (table.get(&RADIUS), table.get(&BASE_RADIUS));
         let (base_below, azimuths) = (table.get(&BASE_BELOW), table.get(&AZIMUTHS));
         let azimuths = azimuths?;
-        if azimuths.len() != 3 {
-            let found = azimuths.len();
+        let apart = |a: f64, b: f64| ((a - b + PI).rem_euclid(TAU) - PI).abs() > APART;
+        let different = azimuths.iter().enumerate();
+        let different = different.filter(|(i, a)| azimuths[..*i].iter().all(|b| apart(**a, *b)));
+        let found = [azimuths.len(), different.count()];
+        if found != [3, 3] {
             table.note(&AZIMUTHS, &RotorProblem::Actuators { found });
             return None;
         }

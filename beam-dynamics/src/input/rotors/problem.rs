@@ -180,11 +180,20 @@ pub enum RotorProblem {
     /// Links without a lever about the pitch axis.
     #[error("\"horn\" is on the pitch axis, expected a distance ahead or behind")]
     NoLever,
-    /// A number of actuators other than three.
-    #[error("\"azimuths\" lists {found} actuators, expected three at different azimuths")]
+    /// Not three actuators, or some at one azimuth.
+    #[error(
+        "\"azimuths\" lists {} actuators at {} different azimuths, expected three",
+        .found[0], .found[1]
+    )]
     Actuators {
-        /// The number.
-        found: usize,
+        /// Their number, and the number of different azimuths.
+        found: [usize; 2],
+    },
+    /// A coupling whose tangent is beyond all use.
+    #[error("\"delta_3\" is {} deg, expected from -80 to 80 deg", short_number(*.degrees, 4))]
+    Steep {
+        /// The angle \[deg\].
+        degrees: f64,
     },
     /// A pitch that no position of the plate gives.
     #[error("no position of the plate gives the pitch: {} m from the nearest", short_number(*.off, 3))]
@@ -272,6 +281,9 @@ impl Explain for RotorProblem {
                  rotor that turns freely"
             }
             Self::Azimuth { .. } => "it is an angle in the unit of the file: degrees or radians?",
+            Self::Steep { .. } => {
+                "pitch falls by its tangent times the flap angle; is it in the unit of the file?"
+            }
             Self::TwoDrives { .. } => "\"speed\" beside \"torque\" is the speed at the start",
             Self::NotOfHub { kinds, .. } => {
                 return Some(format!("kinds that have it: {}", quoted(kinds)));

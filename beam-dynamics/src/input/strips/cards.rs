@@ -21,9 +21,9 @@ use shared_geom::units::Dimension;
 use super::rotor::{self, Rotor};
 use super::stations::{self, Between};
 use super::{
-    FLAPS, INFLOW_NAME, LineAir, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS, STATIONS,
-    StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams, point_at,
-    strip_rotor, strips, unused,
+    FAMILY, FLAPS, INFLOW_NAME, LineAir, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS,
+    STATIONS, StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams,
+    point_at, strip_rotor, strips, unused,
 };
 use crate::elements::strips::{Air, AirStrip, StripGeometry, StripRotor};
 use crate::input::aerodynamics::StripProblem;
@@ -48,7 +48,7 @@ keys! {
     /// line times this direction (cross product).
     FORWARD: Vector3<f64> = "forward", [Vector(3, Dimension::NUMBER)], required, "[1, 0, 0]";
     with INFLOW_NAME.schema, IN.schema, BEAMS.schema, SECTION.schema, POINTS.schema,
-        RADIAL_DRAG.schema, STATIONS.schema, FLAPS.schema;
+        RADIAL_DRAG.schema, STATIONS.schema, FAMILY.schema, FLAPS.schema;
 }
 
 /// Lines of strips shorter than this part of the distance of their ends from the node are
@@ -265,7 +265,7 @@ fn add(
         air.stations.mach_limits(radius)
     });
     let of = (label, rotor, limits.unwrap_or_default());
-    place(strips.into_iter(), of, length, builder);
+    place(strips.into_iter(), of, (length, None), builder);
     Some(())
 }
 

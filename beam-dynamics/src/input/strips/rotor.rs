@@ -100,16 +100,14 @@ fn above_ground(
     table: &Table<'_>,
     builder: &ModelBuilder,
 ) -> Option<()> {
-    let Some(Inflow {
-        name,
-        kind:
-            InflowKind::Disk(DiskDesign {
-                ground: Some(ground),
-                ..
-            }),
-        ..
-    }) = inflow
-    else {
+    let Some(Inflow { name, kind, .. }) = inflow else {
+        return Some(());
+    };
+    let ground = match kind {
+        InflowKind::Disk(design) => design.ground,
+        InflowKind::Annular(annular) => annular.ground,
+    };
+    let Some(ground) = ground else {
         return Some(());
     };
     let center = builder
@@ -120,12 +118,12 @@ fn above_ground(
         .frame
         .up()
         .dot(center);
-    if *ground < center {
+    if ground < center {
         return Some(());
     }
     let problem = StripProblem::BelowGround {
         name: name.clone(),
-        ground: *ground,
+        ground,
         center,
     };
     table.note(&INFLOW_NAME, &problem);
@@ -149,6 +147,11 @@ impl Rotor {
         }
     }
 
+    /// Point and axis of its shaft in the frame, before the model moves \[m\].
+    pub fn start(&self) -> [Vector3<f64>; 2] {
+        self.start
+    }
+
     /// Distance of a point from the shaft before the model moves \[m\].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         let [center, axis] = &self.start;
@@ -156,15 +159,20 @@ impl Rotor {
         (from - axis * axis.dot(&from)).norm()
     }
 
-    /// Its disk, if it has one: of a skewed wake one without a model.
+    /// Its disk, if it has one: of a skewed wake and above the ground one without a model.
     fn design(&self) -> Option<(&str, DiskDesign)> {
         let inflow = self.inflow.as_ref()?;
         let design = match &inflow.kind {
             InflowKind::Disk(design) => *design,
-            InflowKind::Annular(annular) if annular.is_skewed => DiskDesign::without_model(),
-            InflowKind::Annular(_) => return None,
+            InflowKind::Annular(annular) => annular.disk()?,
         };
         Some((&inflow.name, design))
+    }
+
+    /// Whether the velocities of its annuli are distributed by the skew of the wake.
+    fn is_skewed(&self) -> bool {
+        let kind = self.inflow.as_ref().map(|inflow| &inflow.kind);
+        matches!(kind, Some(InflowKind::Annular(annular)) if annular.is_skewed)
     }
 
     /// The inflow of its strips, for a number of blades that begin at a radius \[m\].
@@ -172,8 +180,8 @@ impl Rotor {
         Some(match &self.inflow.as_ref()?.kind {
             InflowKind::Annular(annular) => {
                 let inflow = annular.of_blades(blades, root);
-                if annular.is_skewed {
-                    StripInflow::Skewed(inflow)
+                if annular.disk().is_some() {
+                    StripInflow::Distributed(inflow)
                 } else {
                     StripInflow::Annular(inflow)
                 }
@@ -205,7 +213,7 @@ impl Rotor {
         }
         let air = builder.aerodynamics().air.clone()?;
         let up = air.wind().frame.up();
-        let disk = Arc::new(RotorDisk::new(
+        let disk = RotorDisk::new(
             name,
             Disk {
                 model: design.model,
@@ -213,7 +221,8 @@ impl Rotor {
             },
             (self.shaft, &self.start[1]),
             design.ground.map(|level| Ground { up, level }),
-        ));
+        );
+        let disk = Arc::new(disk.skewed(self.is_skewed()));
         builder.add_disk(name, Arc::clone(&disk));
         let element = DiskInflow::new(Arc::clone(&disk), self.hub, air);
         builder.add_load(Box::new(element));

@@ -1,11 +1,12 @@
 //! Stations of a blade in the air: chord, twist and airfoil along the line.
 
 use rotor_aero::airfoil::{Blend, BlendProblem, Section};
-use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Tables, Text};
+use shared_geom::document::schema::ValueKind::{NotNegative, Positive, Quantity, Tables};
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use crate::input::aerodynamics::family::{self, AIRFOIL, Family, THICKNESS};
 use crate::input::aerodynamics::{Airfoils, MachLimit, StripProblem, mach_limits};
 
 keys! {
@@ -22,10 +23,9 @@ keys! {
     CHORD: f64 = "chord", [Positive(Dimension::LENGTH)], required, "4.2";
     /// Angle of the chord, nose up from the plane of rotation of the blade without pitch.
     TWIST: f64 = "twist", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "-11.5";
-    /// The airfoil: a name of `[airfoils]`, or a built-in one; blended linearly to the next station.
-    AIRFOIL: String = "airfoil", [Text], required, "\"DU21\"";
     /// Distance of the line of the blade from the leading edge, in chords.
     AXIS: f64 = "axis", [Quantity(Dimension::NUMBER)], or "0.25" = 0.25, "0.3";
+    with AIRFOIL.schema, THICKNESS.schema;
 }
 
 /// A station.
@@ -118,20 +118,41 @@ pub(super) fn read(
     (user, length): (&str, f64),
 ) -> Option<Stations> {
     let tables = table.tables(&STATIONS);
+    let family = Family::read(table, airfoils, user);
     let read: Vec<_> = tables
         .iter()
         .map(|table| {
-            let station = station(table, airfoils, user);
+            let station = station(table, (airfoils, family.as_ref()), user);
             table.finish();
             station
         })
         .collect();
+    let by_thickness = tables.iter().any(|table| table.has(&THICKNESS));
+    family::note_unused(table, family.as_ref(), by_thickness);
     if tables.len() < 2 {
         let found = tables.len();
         table.note(&STATIONS, &StripProblem::FewStations { found });
         return None;
     }
-    let stations: Vec<Station> = read.into_iter().collect::<Option<_>>()?;
+    let read: Vec<(Station, Option<f64>)> = read.into_iter().collect::<Option<_>>()?;
+    let family = family?;
+    let more = family
+        .iter()
+        .flat_map(|family| between(family, &read))
+        .collect();
+    let stations: Vec<Station> = read.into_iter().map(|station| station.0).collect();
+    are_placed(&tables, &stations, length)?;
+    match Stations::new(stations, more) {
+        Ok(stations) => Some(stations),
+        Err(problem) => {
+            table.note(&STATIONS, &problem);
+            None
+        }
+    }
+}
+
+/// Notes stations that do not ascend, or lie beyond a line of a length \[m\].
+fn are_placed(tables: &[Table<'_>], stations: &[Station], length: f64) -> Option<()> {
     let mut sound = true;
     for (index, pair) in stations.windows(2).enumerate() {
         if pair[1].at <= pair[0].at {
@@ -158,31 +179,37 @@ pub(super) fn read(
             sound = false;
         }
     }
-    if !sound {
-        return None;
-    }
-    match Stations::new(stations, Vec::new()) {
-        Ok(stations) => Some(stations),
-        Err(problem) => {
-            table.note(&STATIONS, &problem);
-            None
-        }
-    }
+    sound.then_some(())
 }
 
 /// Part of the length by which a station may lie beyond the end: digits lost in the input.
 const ROUNDING: f64 = 1e-6;
 
-fn station(table: &Table<'_>, airfoils: &Airfoils, user: &str) -> Option<Station> {
+/// Sections between stations whose thicknesses enclose the one of a profile of the family.
+fn between(family: &Family, stations: &[(Station, Option<f64>)]) -> Vec<(f64, Section)> {
+    let pairs = stations.windows(2);
+    let pairs = pairs.filter_map(|pair| {
+        let end = |(station, thickness): &(Station, Option<f64>)| Some([station.at, (*thickness)?]);
+        Some([end(&pair[0])?, end(&pair[1])?])
+    });
+    pairs.flat_map(|ends| family.between(ends)).collect()
+}
+
+/// A station, and its thickness over chord if it has one in place of an airfoil \[-\].
+fn station(
+    table: &Table<'_>,
+    airfoils: (&Airfoils, Option<&Option<Family>>),
+    user: &str,
+) -> Option<(Station, Option<f64>)> {
     let (at, chord) = (table.get(&AT), table.get(&CHORD));
     let (twist, axis) = (table.get(&TWIST), table.get(&AXIS));
-    let airfoil = table.get(&AIRFOIL);
-    let airfoil = airfoils.find(&airfoil?, (table, AIRFOIL.name()), user);
-    Some(Station {
+    let (airfoil, thickness) = family::of_station(table, airfoils, user).unzip();
+    let station = Station {
         at: at?,
         chord: chord?,
         twist: twist?,
         axis: axis?,
         airfoil: airfoil?,
-    })
+    };
+    Some((station, thickness?))
 }

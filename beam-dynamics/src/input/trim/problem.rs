@@ -58,6 +58,9 @@ pub enum TrimProblem {
         /// Its number.
         harmonic: usize,
     },
+    /// A cosine or sine of the mean.
+    #[error("\"part\" without \"harmonic\": the target is the mean, which has no parts")]
+    PartOfMean,
     /// A control without effect.
     #[error("no expression uses the control \"{name}\", so that no target depends on it")]
     Unused {
@@ -89,6 +92,7 @@ impl Explain for TrimProblem {
             Self::Bounds { .. } => "write lower < upper, and a guess between them",
             Self::GuessOfParameter { .. } => "change the parameter",
             Self::Harmonic { .. } => "use the mean, or method = \"shooting\"",
+            Self::PartOfMean => "add harmonic = 1, once in a period, or remove \"part\"",
             Self::Unused { .. } => {
                 "use it, as in sine = \"= sine*deg\" of [rotor.swashplate], or remove it with its \
                  target"

@@ -84,6 +84,10 @@ fn wave(card: &Table<'_>, (method, periodic): Context<'_>) -> Option<Option<Wave
     let (harmonic, part) = (card.get(&HARMONIC), card.get(&PART));
     let (harmonic, part) = (harmonic?, part?);
     if harmonic == 0 {
+        if card.has(&PART) {
+            card.note(&PART, &TrimProblem::PartOfMean);
+            return None;
+        }
         return Some(None);
     }
     if method == TrimMethod::Equilibrium {

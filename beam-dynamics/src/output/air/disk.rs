@@ -32,7 +32,7 @@ const QUANTITIES: [Drawn; 3] = [
     ),
 ];
 /// Largest change of the azimuth between two times that are joined \[rad\].
-const MOST_TURN: f64 = 0.5;
+pub(super) const MOST_TURN: f64 = 0.5;
 
 /// A value at an azimuth and a radius: \[rad, m, unit\].
 pub(super) type Point = [f64; 3];
@@ -44,12 +44,27 @@ pub(super) struct Map {
     pub title: String,
     /// Of each blade, at each time the points along it.
     pub blades: Vec<Vec<Vec<Point>>>,
+    /// The least and the largest value of all maps that have the same colors.
+    pub range: [f64; 2],
+}
+
+impl Map {
+    fn new(title: String, blades: Vec<Vec<Vec<Point>>>) -> Self {
+        let values = blades.iter().flatten().flatten().map(|point| point[2]);
+        let values = values.filter(|value| value.is_finite());
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        Self {
+            range: values.fold(ends, |[low, high], value| [low.min(value), high.max(value)]),
+            title,
+            blades,
+        }
+    }
 }
 
 /// The strips of a blade at each time, with its name.
 pub(super) type BladeRows<'a> = (&'a str, Vec<Vec<&'a AirState>>);
 
-/// Maps of a rotor, a row for each blade, with the same colors.
+/// Maps of a rotor, a row for each blade, or one row of equal blades, with the same colors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiskPlot {
     pub(super) title: String,
@@ -73,12 +88,8 @@ impl DiskPlot {
                 |state: &&AirState| [state.azimuth, state.radius, factor * quantity.of(state)];
             let points = |row: &Vec<&AirState>| row.iter().map(point).collect();
             let blades = blades.iter();
-            Map {
-                title: format!("{name} [{unit}]"),
-                blades: blades
-                    .map(|(_, rows)| rows.iter().map(points).collect())
-                    .collect(),
-            }
+            let blades = blades.map(|(_, rows)| rows.iter().map(points).collect());
+            Map::new(format!("{name} [{unit}]"), blades.collect())
         };
         let tips = blades
             .iter()
@@ -89,6 +100,37 @@ impl DiskPlot {
             names: blades.iter().map(|(name, _)| (*name).to_owned()).collect(),
             maps: QUANTITIES.iter().map(map).collect(),
         })
+    }
+
+    /// The maps with one row in place of the ones of all blades, which are equal.
+    #[must_use]
+    pub(super) fn of_equal_blades(mut self) -> Self {
+        if let [first, others @ ..] = &self.names[..]
+            && !others.is_empty()
+        {
+            self.names = vec![match others.len() {
+                1 => format!("{first} and an equal blade"),
+                count => format!("{first} and {count} equal blades"),
+            }];
+            for map in &mut self.maps {
+                map.blades.truncate(1);
+            }
+        }
+        self
+    }
+
+    /// Gives the maps of several rotors the same colors.
+    pub(super) fn share_colors(plots: &mut [Self]) {
+        for index in 0..QUANTITIES.len() {
+            let ranges = plots.iter().filter_map(|plot| plot.maps.get(index));
+            let ranges = ranges.map(|map| map.range);
+            let Some(shared) = ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else {
+                continue;
+            };
+            for map in plots.iter_mut().filter_map(|plot| plot.maps.get_mut(index)) {
+                map.range = shared;
+            }
+        }
     }
 }
 
@@ -183,8 +225,7 @@ impl DiskPlot {
         let title = Label::new(TEXT).colored(INK).anchored(Anchor::Middle);
         let title = fitting(title, &map.title, 2.0 * pixels);
         drawing.text(&map.title, [disk.center[0], top + 140.0], title);
-        let values = map.blades.iter().flatten().flatten();
-        if let Some(bar) = ColorBar::of(values.map(|point| point[2])) {
+        if let Some(bar) = ColorBar::of(map.range) {
             let mut triangles = Vec::new();
             for pair in map.blades[blade].windows(2) {
                 disk.cells(&pair[0], &pair[1], &mut triangles);

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use shared_geom::files::OutputProblem;
 
 use super::disk::{BladeRows, DiskPlot};
+use super::equal::are_equal;
 use super::{air_csv, rotors};
 use crate::case::Model;
 use crate::elements::{AirState, Observations};
@@ -105,14 +106,33 @@ impl<'a> AirRecord<'a> {
         let Some(last) = self.rows.back() else {
             return Ok(());
         };
+        if !results.draws() {
+            return Ok(());
+        }
+        let (mut numbers, mut plots) = (Vec::new(), Vec::new());
         for (index, name) in rotors(&last.states).into_iter().enumerate() {
-            let endings = ["png", "svg"].map(|ending| format!("{DISK}{}.{ending}", index + 1));
-            results.figures([&endings[0], &endings[1]], || {
-                let title = format!("{}: {name}, last revolution", self.model.name);
-                DiskPlot::new(title, &self.last_revolution(name))
-            })?;
+            if let Some(plot) = self.maps(name) {
+                numbers.push(index + 1);
+                plots.push(plot);
+            }
+        }
+        DiskPlot::share_colors(&mut plots);
+        for (number, plot) in numbers.into_iter().zip(plots) {
+            let endings = ["png", "svg"].map(|ending| format!("{DISK}{number}.{ending}"));
+            results.figures([&endings[0], &endings[1]], || Some(plot))?;
         }
         Ok(())
+    }
+
+    /// The maps of a rotor, one of each quantity if its blades are equal.
+    fn maps(&self, rotor: &str) -> Option<DiskPlot> {
+        let title = format!("{}: {rotor}, last revolution", self.model.name);
+        let plot = DiskPlot::new(title, &self.last_revolution(rotor))?;
+        Some(if are_equal(&plot.maps) {
+            plot.of_equal_blades()
+        } else {
+            plot
+        })
     }
 
     /// The strips of each blade of a rotor, from the root to the tip, at each time of the last

@@ -8,6 +8,7 @@ use rotor_aero::strip::StripReport;
 use shared_geom::figure::Figure;
 
 use super::disk::{DiskPlot, Map};
+use super::equal::are_equal;
 use super::{air_csv, rotor_text, span_plot};
 use crate::elements::{AirState, Definition, RotorAir, RotorMotion, RotorQuantity, StripLocation};
 use crate::output::samples::texts;
@@ -168,7 +169,7 @@ fn maps_of_the_disk() {
     let half = rows[..37].to_vec();
     let blades = [("b 1", rows), ("b 2", half)];
     let plot = DiskPlot::new("made up".to_owned(), &blades).unwrap();
-    let Map { title, blades } = &plot.maps[0];
+    let Map { title, blades, .. } = &plot.maps[0];
     assert_eq!(title, "angle of attack [deg]");
     assert_eq!((blades[0].len(), blades[1].len()), (73, 37));
     for [azimuth, radius, value] in blades.iter().flatten().flatten() {
@@ -188,4 +189,52 @@ fn maps_of_the_disk() {
     let drawing = plot.drawing();
     assert!(drawing.lines().count() > 12);
     assert_eq!(DiskPlot::new(String::new(), &[]), None);
+    // Half a revolution is no equal map of a whole one.
+    assert!(!are_equal(&plot.maps));
+}
+
+/// Two blades of a field that does not turn have one map; a larger load of one of them makes two. Two
+/// rotors have the colors of both.
+#[test]
+fn equal_blades_have_one_map() {
+    let rows = |blade: &str, start: f64, more: f64| -> Vec<Vec<AirState>> {
+        let row = |k: i32| {
+            let azimuth = (start + f64::from(k) / 90.0 * TAU) % TAU;
+            let states = (1..=4).map(|n| {
+                let mut state = strip(blade, n, azimuth);
+                state.flow.along_shaft += more;
+                state
+            });
+            states.collect()
+        };
+        (0..=90).map(row).collect()
+    };
+    let plot = |turned: f64, more: f64| {
+        let all = [rows("b 1", 0.3, 0.0), rows("b 2", 0.3 + turned, more)];
+        let blades: Vec<(&str, Vec<Vec<&AirState>>)> = ["b 1", "b 2"]
+            .into_iter()
+            .zip(&all)
+            .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().collect()).collect()))
+            .collect();
+        DiskPlot::new("made up".to_owned(), &blades).unwrap()
+    };
+    // An azimuth between two rows too.
+    for turned in [PI, 2.0] {
+        let equal = plot(turned, 0.0);
+        assert!(are_equal(&equal.maps));
+        let equal = equal.of_equal_blades();
+        assert_eq!(equal.names, ["b 1 and an equal blade"]);
+        assert!(equal.maps.iter().all(|map| map.blades.len() == 1));
+        assert!(texts(&equal).contains("\nb 1 and an equal blade\n"));
+    }
+    let mut plots = [plot(PI, 0.0), plot(PI, 5.0)];
+    assert!(!are_equal(&plots[1].maps));
+    let own = plots.each_ref().map(|plot| plot.maps[1].range);
+    assert!(own[0][1] < own[1][1], "{own:?}");
+    DiskPlot::share_colors(&mut plots);
+    assert!(
+        plots
+            .iter()
+            .all(|plot| plot.maps[1].range == [own[0][0], own[1][1]])
+    );
 }

@@ -9,11 +9,12 @@ use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable};
 /// A quantity along the blade.
 type Quantity = (&'static str, &'static str, fn(&SpanLoad) -> f64);
 
-const QUANTITIES: [Quantity; 4] = [
+const QUANTITIES: [Quantity; 5] = [
     ("normal force", "N/m", |load| load.normal),
     ("tangential force", "N/m", |load| load.tangential),
     ("angle of attack", "deg", |load| load.alpha.to_degrees()),
     ("axial induction", "-", |load| load.axial_induction),
+    ("induced velocity", "m/s", |load| load.induced_axial),
 ];
 
 /// The loads of the chosen points of a table; `None` if there are none.

@@ -19,7 +19,7 @@ struct Grid {
     name: &'static str,
     /// Rows of equal pitch.
     values: Vec<Vec<f64>>,
-    /// Largest value.
+    /// Largest value of the maps of all parts.
     high: f64,
 }
 
@@ -55,8 +55,11 @@ impl MapPlot {
         let grid = |column: Column| {
             let row = |row: &&[PerformancePoint]| row.iter().map(column.value).collect::<Vec<_>>();
             let values: Vec<Vec<f64>> = rows.iter().map(row).collect();
-            let finite = values.iter().flatten().filter(|it| it.is_finite());
-            let high = finite.fold(0.0_f64, |high, value| high.max(*value));
+            // The maps of all parts have the same colors.
+            let parts = result.tables.iter().filter(|table| table.is_map);
+            let all = parts.flat_map(|table| &table.points).map(column.value);
+            let finite = all.filter(|value| value.is_finite());
+            let high = finite.fold(0.0_f64, f64::max);
             (high > 0.0).then_some(Grid {
                 name: column.name,
                 values,

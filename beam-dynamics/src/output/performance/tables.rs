@@ -10,6 +10,7 @@ use crate::result::PerformanceResult;
 
 const LOADS: &str = "part,speed [m/s],rotor speed [rpm],pitch [deg],azimuth [deg],radius [m],\
     normal force [N/m],tangential force [N/m],axial induction [-],tangential induction [-],\
+    induced velocity [m/s],induced swirl [m/s],\
     angle of attack [deg],CL [-],CD [-],CM [-],inflow angle [deg],flow speed [m/s],loss [-],\
     Reynolds number [-],Mach number [-],state";
 
@@ -76,6 +77,8 @@ fn load_row(lead: &[String], load: &SpanLoad) -> Vec<String> {
         load.tangential,
         load.axial_induction,
         load.tangential_induction,
+        load.induced_axial,
+        load.induced_swirl,
         load.alpha.to_degrees(),
         load.lift,
         load.drag,

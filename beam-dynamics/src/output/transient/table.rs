@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use shared_geom::files::read_bytes;
+use shared_geom::units::{Dimension, parse_as};
 
 use super::netcdf_table::{self, Content};
 use super::{Heading, RunFileProblem, cannot_read};
@@ -49,11 +50,31 @@ impl TimeTable {
     /// As [`TimeTable::read`].
     pub fn parse(bytes: &[u8], path: &Path) -> Result<Self, RunFileProblem> {
         let ending = path.extension().and_then(|ending| ending.to_str());
-        match ending {
+        let mut table = match ending {
             Some("csv") => parse_csv(bytes, path),
             Some("nc") => parse_netcdf(bytes, path),
             _ => Err(unreadable(path, "its ending is neither .csv nor .nc")),
+        }?;
+        table.in_seconds(path)?;
+        Ok(table)
+    }
+
+    /// Converts the times of other units than seconds.
+    fn in_seconds(&mut self, path: &Path) -> Result<(), RunFileProblem> {
+        let mut all = self.headings.iter_mut().zip(&mut self.columns);
+        let Some((heading, times)) = all.find(|(heading, _)| heading.name == "time") else {
+            return Ok(());
+        };
+        if ["", "s"].contains(&heading.unit.as_str()) {
+            return Ok(());
         }
+        let Ok(unit) = parse_as(&heading.unit, Dimension::TIME) else {
+            let reason = format!("the unit of \"time\" is \"{}\"", heading.unit);
+            return Err(unreadable(path, reason));
+        };
+        times.iter_mut().for_each(|time| *time *= unit.factor);
+        heading.unit = "s".to_owned();
+        Ok(())
     }
 
     /// The name of the run whose table is at `path`: of the file, without the endings of results.

@@ -426,6 +426,27 @@ fn all_problems_of_a_file_are_reported_at_once() {
     );
 }
 
+/// One fault, one problem.
+#[test]
+fn airfoils_of_windio_without_polars_are_reported_once() {
+    let head = "windIO_version: '2.0'\nairfoils:\n  - name: thin\n    rthick: 0.21\n";
+    for (polars, expected) in [
+        (
+            "",
+            "a.yaml:3: key \"polars\" of airfoil \"thin\" is missing",
+        ),
+        (
+            "    polars: []\n",
+            "a.yaml:3: a polar of airfoil \"thin\" is missing",
+        ),
+        ("    polars: 3\n", "a.yaml:5: polars"),
+    ] {
+        let shown = problems(&format!("{head}{polars}"), "a.yaml");
+        has(&shown, &[expected]);
+        assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+    }
+}
+
 #[test]
 fn cut_files_are_reported() {
     let cut = |name: &str, lines: usize| {

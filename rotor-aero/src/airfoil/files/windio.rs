@@ -35,7 +35,8 @@ pub(super) fn airfoils(root: &Node, notes: &mut Notes) -> Option<Vec<ReadAirfoil
     let stated = stated_unit(root, notes);
     let read = items.iter().map(|item| airfoil(item, stated, notes));
     let read: Vec<_> = read.flatten().collect();
-    Some(read)
+    // The problems of all of them are noted.
+    (items.is_empty() || !read.is_empty()).then_some(read)
 }
 
 /// The unit of the angles that the version states.
@@ -74,7 +75,9 @@ fn airfoil(item: &Node, stated: Option<Unit>, notes: &mut Notes) -> Vec<ReadAirf
     };
     empty.data.thickness = thickness;
     let polars = required(item, &of, "polars", notes).and_then(|at| list(at, "polars", notes));
-    let polars = polars.unwrap_or_default();
+    let Some(polars) = polars else {
+        return Vec::new();
+    };
     let is_nested = polars.iter().any(|polar| polar.entry("re_sets").is_some());
     let unit = stated.unwrap_or(if is_nested {
         Unit::Degrees

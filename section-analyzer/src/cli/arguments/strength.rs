@@ -14,12 +14,13 @@ SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its 
 blade NAME.blade.json beside it. LOADS has internal forces along the blade, about its line and in section axes, names with units:
   arc [m] or eta; any of case, time, step; axial [N], shear y [N], ..., bending z [N m]
                       a row for each position and instant, in any order, as \"beam-dynamics static\" writes
-  time [s]; NAME_axial [N], ..., NAME_bending_z [N m]
+  time [s]; case, member; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position
                       of each NAME by --at NAME=ETA
   arc [m] or eta; axial max [N], axial min [N], ..., bending z min [N m]
                       an envelope: each combination of largest and smallest values is a load
-Between the positions forces are linear. Written are, next to SPAN or into DIR:
+Between the positions forces are linear. Units stand in square brackets, also of times and
+positions; without them numbers are in SI units. Written are, next to SPAN or into DIR:
   NAME.strength.csv   by station and ply: the smallest reserve factor over all instants, its
                       criterion, mode, instant, position, internal force and stresses
   NAME.fatigue.csv    with times: by station and component, damage-equivalent load ranges

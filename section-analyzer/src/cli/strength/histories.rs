@@ -118,7 +118,8 @@ impl<'a> Histories<'a> {
     }
 
     /// Damage-equivalent ranges of each component at each station for each exponent, by the
-    /// cycles of all cases together; `equal` cycles, or one each second.
+    /// cycles of all cases together; `equal` cycles, or one each second. None at stations without
+    /// forces.
     pub fn equivalent_ranges(
         &self,
         stations: &[ListedStation],
@@ -129,6 +130,9 @@ impl<'a> Histories<'a> {
         let mut rows = Vec::new();
         for station in stations.iter().filter(|_| !self.is_empty()) {
             let histories = self.at(station);
+            if histories.iter().all(|history| history.forces.is_empty()) {
+                continue;
+            }
             for (i, component) in COMPONENTS.iter().enumerate() {
                 let unit = RowVector6::from_fn(|_, j| f64::from(u8::from(i == j)));
                 let counted = LoadHistory::cycles(&histories, &unit);

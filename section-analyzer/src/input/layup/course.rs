@@ -113,9 +113,12 @@ impl Course {
         }
     }
 
-    /// One value.
+    /// One value, everywhere.
     pub fn constant(value: f64) -> Self {
-        Self::new(vec![0.0], vec![value], Kind::Constant)
+        Self {
+            is_held: true,
+            ..Self::new(vec![0.0], vec![value], Kind::Constant)
+        }
     }
 
     /// Monotone cubics through values at ascending positions.
@@ -128,7 +131,7 @@ impl Course {
     pub fn rounded(&self, factor: f64) -> Self {
         let whole = |eta: f64| factor * self.at(eta).round();
         let Some((&first, &last)) = self.positions().first().zip(self.positions().last()) else {
-            return Self::constant(factor * self.value[0].round());
+            return self.map(|_, value| factor * value.round());
         };
         let (mut eta, mut value) = (vec![first], vec![whole(first)]);
         // monotone between two positions
@@ -242,10 +245,10 @@ impl Course {
         self.eta.iter().copied().zip(self.value.iter().copied())
     }
 
-    /// Whether a position is within the table; one value is everywhere.
+    /// Whether a position is within the table; a value without position is everywhere.
     pub fn covers(&self, eta: f64) -> bool {
         let last = self.eta.len() - 1;
-        last == 0 || self.is_held || (eta >= self.eta[0] - 1e-12 && eta <= self.eta[last] + 1e-12)
+        self.is_held || (eta >= self.eta[0] - 1e-12 && eta <= self.eta[last] + 1e-12)
     }
 
     /// The value at a position; beyond the table the value at its end.

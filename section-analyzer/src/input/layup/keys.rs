@@ -110,7 +110,8 @@ keys! {
     /// Length of the chord.
     pub(super) CHORD: Course = "chord", [Positive(Dimension::LENGTH), OneTable(&COURSE)], required,
         "5.7";
-    /// Position of the origin of the section on the chord, 0 at the nose to 1 at the trailing edge.
+    /// Position of the origin of the section on the chord, 0 at the nose to 1 at the trailing edge;
+    /// -1 to 2.
     pub(super) ORIGIN: Course = "origin", [Quantity(Dimension::NUMBER), OneTable(&COURSE)],
         or "0.25" = Course::constant(0.25), "0.4";
     /// Distance of the chord line from the origin, toward the suction side.

@@ -45,6 +45,7 @@ impl Known {
         let angle = table.get(&FIBER_ANGLE);
         let profile = table.get(&PROFILE);
         let profile = profile.map(|found| found.map_or_else(Vec::new, |found| found.0));
+        has_ramp(table, profile.as_deref().unwrap_or_default());
         let web = table.get(&WEB_OF_LAYER)?;
         let line = table.line_of(&WEB_OF_LAYER);
         let of_web = |key: &Key<Place>, given: Place, side: &str| match &web {
@@ -221,6 +222,16 @@ impl Known {
                 None
             }
         }
+    }
+}
+
+/// Notes a ramp beside a profile that is zero at both ends, where no ramp is.
+fn has_ramp(table: &Table<'_>, profile: &[[f64; 2]]) {
+    let ends = [profile.first(), profile.last()];
+    let are_zero = ends.iter().all(|end| end.is_some_and(|end| end[1] == 0.0));
+    if are_zero && table.has(&TAPER) {
+        let layer = text(table, NAME.name());
+        table.note(&TAPER, &LayupFileProblem::Ramp { layer });
     }
 }
 

@@ -67,6 +67,15 @@ pub enum LayupFileProblem {
         /// The material.
         material: String,
     },
+    /// A ramp of a layer whose profile needs none.
+    #[error(
+        "layer \"{layer}\" has a \"taper\" beside a \"profile\" that is zero at both ends, expected one \
+         of them"
+    )]
+    Ramp {
+        /// The layer.
+        layer: String,
+    },
     /// Places of a web that are missing or doubled.
     #[error("web \"{web}\": expected \"suction\" and \"pressure\", or \"at\"")]
     WebPlaces {

@@ -173,7 +173,10 @@ impl<'a> Resolver<'a> {
         };
         let s = s + place.shift.at(eta) + place.part * perimeter;
         if !(s >= -1e-9 * perimeter && s <= perimeter * (1.0 + 1e-9)) {
-            return Err(off(format!("arc {}", s / perimeter)));
+            return Err(off(match &place.form {
+                PlaceForm::Distance(course, _) => format!("distance = {} m", course.at(eta)),
+                _ => format!("arc {}", s / perimeter),
+            }));
         }
         Ok((s / perimeter).clamp(0.0, 1.0))
     }

@@ -95,6 +95,13 @@ impl Shape {
             table.note("", &LayupFileProblem::Airfoil { found });
             return None;
         }
+        if let Some(origin) = &origin
+            && origin.positions().is_empty()
+            && !(-1.0..=2.0).contains(&origin.at(0.0))
+        {
+            table.wrong(&ORIGIN, "a part of the chord from -1 to 2");
+            return None;
+        }
         let thickness = table.get(&RELATIVE_THICKNESS);
         let by_thickness = table.has(&RELATIVE_THICKNESS);
         let airfoils = if table.has(&AIRFOILS) {

@@ -12,6 +12,7 @@ use shared_geom::units::Dimension;
 use super::keys::STATIONS;
 use super::resolve::ABSENT;
 use super::{Layup, WrittenLayer};
+use crate::mesh::generate::layup::LayupSection;
 
 /// Distance of the sections at a jump from it, part of the length [-].
 const BESIDE: f64 = 1e-6;
@@ -68,6 +69,26 @@ impl SpanStation {
     }
 }
 
+/// A layer or ply that no station has.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MissedLayer {
+    name: String,
+    line: usize,
+    /// First and last position at which its table has a thickness [-].
+    range: [f64; 2],
+}
+
+impl std::fmt::Display for MissedLayer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, line, range } = self;
+        let [from, to] = range.map(crate::mesh::short);
+        write!(
+            f,
+            "line {line}: layer \"{name}\" is there from eta {from} to {to}, and at no station"
+        )
+    }
+}
+
 /// The requested stations.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Selection {
@@ -92,6 +113,35 @@ pub(super) fn stations(root: &Table<'_>) -> Option<Vec<f64>> {
         return None;
     }
     Some(all)
+}
+
+/// Names of the layers and plies of sections.
+fn present(sections: &[LayupSection]) -> BTreeSet<&str> {
+    let mut found = BTreeSet::new();
+    for section in sections {
+        found.extend(section.layers.iter().map(|layer| layer.name.as_str()));
+        let plies = section.webs.iter().flat_map(|web| &web.plies);
+        found.extend(plies.map(|ply| ply.name.as_str()));
+    }
+    found
+}
+
+/// First and last position between which a layer has a thickness; the whole span without a table
+/// [-].
+fn range_of(layer: &WrittenLayer) -> [f64; 2] {
+    let points: Vec<(f64, f64)> = layer.thickness.points().collect();
+    let is_there = |point: &(f64, f64)| point.1 > ABSENT;
+    let (first, last) = (
+        points.iter().position(is_there),
+        points.iter().rposition(is_there),
+    );
+    match first.zip(last) {
+        Some((first, last)) if !layer.thickness.is_held() => {
+            let after = (last + 1).min(points.len() - 1);
+            [points[first.saturating_sub(1)].0, points[after].0]
+        }
+        _ => [0.0, 1.0],
+    }
 }
 
 impl Layup {
@@ -131,17 +181,41 @@ impl Layup {
         let Ok(sections) = sections.collect::<Result<Vec<_>, _>>() else {
             return Vec::new();
         };
-        let mut found = BTreeSet::new();
-        for section in &sections {
-            found.extend(section.layers.iter().map(|layer| layer.name.as_str()));
-            let plies = section.webs.iter().flat_map(|web| &web.plies);
-            found.extend(plies.map(|ply| ply.name.as_str()));
-        }
+        let found = present(&sections);
         let plies = self.webs.iter().flat_map(|web| &web.plies);
         let all = self.layers.iter().chain(plies);
         let absent = all.filter(|layer| !found.contains(layer.name.as_str()));
         absent
             .map(|layer| (layer.name.as_str(), layer.line))
+            .collect()
+    }
+
+    /// The layers and plies that are present between `stations`, at none of them.
+    pub fn missed_layers(&self, stations: &[SpanStation]) -> Vec<MissedLayer> {
+        let sections = stations
+            .iter()
+            .map(|station| self.section(station.meshed_at()));
+        let Ok(sections) = sections.collect::<Result<Vec<_>, _>>() else {
+            return Vec::new();
+        };
+        let found = present(&sections);
+        let plies = self.webs.iter().flat_map(|web| &web.plies);
+        let all = self.layers.iter().chain(plies);
+        let missed: Vec<&WrittenLayer> = all
+            .filter(|layer| !found.contains(layer.name.as_str()))
+            .collect();
+        if missed.is_empty() {
+            return Vec::new();
+        }
+        let absent = self.absent_layers();
+        let is_absent = |layer: &&WrittenLayer| absent.contains(&(layer.name.as_str(), layer.line));
+        let missed = missed.into_iter().filter(|layer| !is_absent(layer));
+        missed
+            .map(|layer| MissedLayer {
+                name: layer.name.clone(),
+                line: layer.line,
+                range: range_of(layer),
+            })
             .collect()
     }
 

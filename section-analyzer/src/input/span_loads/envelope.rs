@@ -11,7 +11,7 @@ use shared_geom::error::Diagnostics;
 use super::{COMPONENTS, LoadInstant, LoadPositions, LoadTable, SpanLoadProblem};
 
 /// Endings of the columns, and words for reports.
-const ENDS: [(&str, &str); 2] = [("_max", "max"), ("_min", "min")];
+pub(super) const ENDS: [(&str, &str); 2] = [("_max", "max"), ("_min", "min")];
 
 impl LoadTable {
     /// Whether the table has a column of a largest or smallest value.
@@ -23,11 +23,8 @@ impl LoadTable {
         })
     }
 
-    /// The corners of the boxes of an envelope; of each `case` if the table has it.
-    pub(super) fn corners(
-        &self,
-        positions: &LoadPositions,
-    ) -> Result<Vec<LoadInstant>, Diagnostics> {
+    /// Refuses times, steps and plain components beside an envelope.
+    fn refuse_instants(&self) -> Result<(), Diagnostics> {
         let plain = COMPONENTS.map(|component| component.0);
         for column in ["time", "step"].into_iter().chain(plain) {
             if self.0.index(column).is_some() {
@@ -35,12 +32,30 @@ impl LoadTable {
                 return Err(self.0.problem(1, &SpanLoadProblem::Envelope { column }));
             }
         }
-        let (position, scale) = self.position(positions.length)?;
+        Ok(())
+    }
+
+    /// The corners of the boxes of an envelope; of each `case` if the table has it.
+    pub(super) fn corners(
+        &self,
+        positions: &LoadPositions,
+    ) -> Result<Vec<LoadInstant>, Diagnostics> {
+        self.refuse_instants()?;
+        let position = self.position(positions.length)?;
         let mut columns = [[None; 6]; 2];
+        let (mut known, mut absent) = (Vec::new(), Vec::new());
         for (columns, (end, _)) in columns.iter_mut().zip(ENDS) {
             let names = COMPONENTS.map(|(name, _)| format!("{name}{end}"));
             *columns = self.columns(&names)?;
+            let pairs = names.iter().zip(&*columns);
+            absent.extend(
+                pairs
+                    .filter(|pair| pair.1.is_none())
+                    .map(|pair| pair.0.clone()),
+            );
+            known.extend(names);
         }
+        self.refuse_others("", &known, &absent)?;
         // both ends of a component, or none
         let is_there = |i: usize| columns.iter().any(|end| end[i].is_some());
         let there: Vec<usize> = (0..6).filter(|i| is_there(*i)).collect();
@@ -49,11 +64,11 @@ impl LoadTable {
                 self.0.require([&*format!("{}{end}", COMPONENTS[i].0)])?;
             }
         }
-        let case = self.0.index("case");
+        let case = self.0.find("case")?;
         let mut cases: BTreeMap<Option<&str>, Vec<LoadInstant>> = BTreeMap::new();
         for row in self.of_member(positions.member.as_deref())? {
             let ends = [self.force(row, &columns[0])?, self.force(row, &columns[1])?];
-            let eta = scale * self.0.number(row, position)?;
+            let eta = self.eta(row, &position)?;
             let name = case.map(|column| row.cells[column].as_str());
             let corners = cases
                 .entry(name)

@@ -7,7 +7,7 @@ use crate::output::engineering::engineering_values_of;
 use crate::output::text::csv;
 
 /// Columns of the table of stations.
-const SPAN: [&str; 25] = [
+const SPAN: [&str; 26] = [
     "section",
     "eta [-]",
     "arc_length [m]",
@@ -33,6 +33,7 @@ const SPAN: [&str; 25] = [
     "mass_center_z [m]",
     "principal_angle [deg]",
     "inertia_angle [deg]",
+    "fingerprint",
 ];
 
 /// Columns of the table of layers.
@@ -105,7 +106,8 @@ pub fn span_csv(span: &SolvedSpan<'_>) -> String {
         );
         values.extend([axes.bending_angle, axes.inertia_angle].map(f64::to_degrees));
         let name = std::iter::once(properties.name.clone());
-        name.chain(values.into_iter().map(exact)).collect()
+        let numbers = name.chain(values.into_iter().map(exact));
+        numbers.chain([station.fingerprint.clone()]).collect()
     });
     csv(std::iter::once(SPAN.map(str::to_owned).to_vec()).chain(rows))
 }

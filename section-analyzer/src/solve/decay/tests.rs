@@ -61,7 +61,7 @@ fn all_rates(p: &Problem) -> Vec<Complex<f64>> {
     companion.view_mut((n, 0), (n, n)).copy_from(&m.solve(&e));
     let turned = m.solve(&(c.transpose() - &c));
     companion.view_mut((n, n), (n, n)).copy_from(&turned);
-    let mut found = dense::eigenvalues(&companion);
+    let mut found = eigenvalues_of(companion.as_slice());
     found.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
     found
 }

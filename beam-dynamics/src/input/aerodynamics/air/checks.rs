@@ -2,7 +2,7 @@
 //! the size of turbulence boxes.
 
 use nalgebra::Vector3;
-use rotor_aero::wind::{OutsideGrid, Shear, TooSmall, WindField};
+use rotor_aero::wind::{Extent, OutsideGrid, Shear, TooSmall, WindField};
 use shared_geom::document::Table;
 
 use super::problem::AirProblem;
@@ -113,22 +113,25 @@ pub(in crate::input) fn check_ground(root: &Table<'_>, air: &Air, center: &Vecto
     table.note(key, &problem);
 }
 
-/// Notes turbulence boxes that are too small for a rotor of a `radius` \[m\], of which the center
-/// is at `center` \[m\], in a run until `end` \[s\].
+/// Notes turbulence boxes that are too small for rotors and strips with their extents, in a run until
+/// `end` \[s\].
 pub(in crate::input) fn check_boxes(
     root: &Table<'_>,
     air: &Air,
-    (center, radius): (&Vector3<f64>, f64),
+    extents: impl Iterator<Item = Extent>,
     end: f64,
 ) {
-    let wind = air.wind();
-    let [_, _, height] = wind.frame.point(&(*center).into());
-    for one in &wind.boxes {
-        if one.outside_grid() == OutsideGrid::Extend {
-            continue;
-        }
-        for problem in one.uncovered(radius, height, end) {
-            note_small(root, &problem);
+    let mut known = Vec::new();
+    for extent in extents {
+        // Blades of one rotor have the same extent.
+        let boxes = air.wind().boxes.iter();
+        let boxes = boxes.filter(|one| one.outside_grid() == OutsideGrid::Refuse);
+        for problem in boxes.flat_map(|one| one.uncovered(&extent, end)) {
+            let text = problem.to_string();
+            if !known.contains(&text) {
+                note_small(root, &problem);
+                known.push(text);
+            }
         }
     }
 }

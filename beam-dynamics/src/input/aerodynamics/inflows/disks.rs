@@ -26,12 +26,12 @@ pub(in crate::input) struct DiskDesign {
 
 impl DiskDesign {
     /// A disk without a model of its own.
-    pub fn without_model() -> Self {
+    pub fn without_model(ground: Option<f64>) -> Self {
         Self {
             model: InflowModel::Without(Without),
             radius: None,
             effective_radius: 1.0,
-            ground: None,
+            ground,
         }
     }
 }

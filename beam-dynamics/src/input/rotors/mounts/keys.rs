@@ -55,7 +55,7 @@ keys! {
     /// The nacelle, a rigid body on the top of the tower; without a tower on `node` or the ground.
     NACELLE_TABLE = "[rotor.nacelle]";
     /// Angle of the shaft about z, from x.
-    pub(super) YAW: f64 = "yaw", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "10";
+    pub(super) YAW: ByHand = "yaw", [Drive(Dimension::ANGLE)], or "0", "\"= 10*min(1, t/20)\"";
     /// Angle by which the shaft is raised at its upwind end.
     pub(super) TILT: f64 = "tilt", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
     /// Distance of the center of the hub from the axis of the tower, along the shaft and upwind;

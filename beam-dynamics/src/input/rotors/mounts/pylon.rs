@@ -11,17 +11,15 @@
 //! turns the pylon about -y at the tip of the wing.
 
 use nalgebra::Vector3;
-use shared_geom::document::{Card, Content, Table};
+use shared_geom::document::{Card, Table};
 use shared_geom::rotation::vector;
 
 use super::column::Column;
 use super::keys::{CONVERSION, PYLON, PYLON_CENTER, PYLON_LENGTH, PYLON_MASS, SPAN, WING};
-use super::place::{Place, axes_along, held};
-use crate::elements::Smoothness;
+use super::place::{Place, Turned, axes_along};
 use crate::input::moments::{INERTIA, moments};
 use crate::input::rotors::base::{Base, Lump, angles, lengths};
 use crate::input::rotors::context::Context;
-use crate::input::rotors::controls::{self, Sum};
 use crate::input::rotors::problem::RotorProblem;
 
 /// A pylon.
@@ -30,10 +28,8 @@ pub(in crate::input::rotors) struct Pylon {
     foot: Vector3<f64>,
     wing: Option<Column>,
     length: f64,
-    /// Conversion angle if it is a number \[rad\].
-    fixed: Option<f64>,
-    /// Conversion angle as a drive, about the shaft up.
-    drive: Sum,
+    /// Conversion angle, from the shaft up.
+    conversion: Turned,
     body: Option<Lump>,
     center: f64,
 }
@@ -48,16 +44,7 @@ pub(super) fn read(
     table.nested(&PYLON, |table| {
         let (length, center) = (table.get(&PYLON_LENGTH), table.get(&PYLON_CENTER));
         let (mass, inertia) = (table.get(&PYLON_MASS), moments(table, name));
-        let fixed = match table.item(CONVERSION.name()) {
-            None => Some(0.0),
-            Some(item) => context.constant(&item, &CONVERSION.schema)?,
-        };
-        let mut drive = Sum::default();
-        if fixed.is_none() {
-            let needed = Smoothness::Acceleration;
-            let read = controls::read(table, &CONVERSION.schema, (context, needed))?;
-            drive.add(read.as_ref(), None);
-        }
+        let conversion = Turned::read(table, &CONVERSION.schema, context);
         let wing = table.nested(&WING, |table| wing(table, foot));
         let (mass, inertia) = (mass?, inertia?);
         if mass == 0.0 && inertia.amax() > 0.0 {
@@ -69,8 +56,7 @@ pub(super) fn read(
             foot,
             wing: wing?,
             length: length?,
-            fixed,
-            drive,
+            conversion: conversion?,
             body: (mass > 0.0).then_some((mass, inertia)),
             center: center?,
         })
@@ -97,7 +83,7 @@ impl Pylon {
 
     /// The rotation of the undeformed pylon from the shaft up.
     fn turn(&self) -> Vector3<f64> {
-        Vector3::y() * -self.fixed.unwrap_or(0.0)
+        Vector3::y() * -self.conversion.undeformed()
     }
 
     /// The place of the rotor.
@@ -121,16 +107,9 @@ impl Pylon {
                 .with("position", lengths(&self.tip()))
                 .with("orientation", angles(&self.turn())),
         );
-        cards.push(match self.fixed {
-            Some(_) => held(base, node, below.as_deref()),
-            None => {
-                let nodes: Vec<_> = below.iter().map(String::as_str).chain([node]).collect();
-                base.joint(&base.part("conversion"), "revolute", &nodes)
-                    .with("at", lengths(&self.tip()))
-                    .with("axis", Content::numbers([0.0, -1.0, 0.0]))
-                    .with("angle", self.drive.content())
-            }
-        });
+        let about = (self.tip(), Vector3::new(0.0, -1.0, 0.0));
+        let joint = (node, "conversion");
+        cards.push(self.conversion.card(base, joint, below.as_deref(), about));
         cards.extend(self.body.as_ref().map(|lump| {
             let center = Vector3::z() * self.center;
             base.body(node, lump).with("offset", lengths(&center))

@@ -14,8 +14,10 @@
 //! ```text
 //! d = Rz(psi) (cos tau, 0, -sin tau)        center = top + above z - overhang d
 //! ```
+//!
+//! A yaw that is a drive turns the nacelle by a joint from the place without yaw.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use shared_geom::document::{Card, Table};
 use shared_geom::rotation::vector;
 
@@ -23,15 +25,16 @@ use super::column::Column;
 use super::keys::{
     ABOVE, HEIGHT, NACELLE, NACELLE_CENTER, NACELLE_MASS, OVERHANG, TILT, TOWER, YAW,
 };
-use super::place::{Place, axes_along, held};
+use super::place::{Place, Turned, axes_along};
 use crate::input::moments::{INERTIA, moments};
 use crate::input::rotors::base::{Base, Lump, angles, lengths};
+use crate::input::rotors::context::Context;
 use crate::input::rotors::problem::RotorProblem;
 
 /// The nacelle.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Default)]
 struct Nacelle {
-    yaw: f64,
+    yaw: Turned,
     tilt: f64,
     overhang: f64,
     above: f64,
@@ -51,7 +54,7 @@ pub(in crate::input::rotors) struct Turbine {
 pub(super) fn read(
     table: &Table<'_>,
     name: &str,
-    foot: Option<Vector3<f64>>,
+    (foot, context): (Option<Vector3<f64>>, &Context),
 ) -> Option<Option<Turbine>> {
     let foot = foot.unwrap_or_default();
     let tower = table.nested(&TOWER, |table| {
@@ -59,7 +62,7 @@ pub(super) fn read(
         let axes = axes_along(&Vector3::z(), &Vector3::y());
         Column::read(table, "tower", (foot, axes, height))
     });
-    let nacelle = table.nested(&NACELLE, |table| nacelle(table, name));
+    let nacelle = table.nested(&NACELLE, |table| nacelle(table, name, context));
     let (tower, nacelle) = (tower?, nacelle?);
     let is_some = tower.is_some() || nacelle.is_some();
     Some(is_some.then(|| Turbine {
@@ -69,12 +72,12 @@ pub(super) fn read(
     }))
 }
 
-fn nacelle(table: &Table<'_>, name: &str) -> Option<Nacelle> {
-    let angles = [table.get(&YAW), table.get(&TILT)];
+fn nacelle(table: &Table<'_>, name: &str, context: &Context) -> Option<Nacelle> {
+    let (yaw, tilt) = (Turned::read(table, &YAW.schema, context), table.get(&TILT));
     let distances = [table.get(&OVERHANG), table.get(&ABOVE)];
     let (mass, center) = (table.get(&NACELLE_MASS), table.get(&NACELLE_CENTER));
     let inertia = moments(table, name);
-    let ([yaw, tilt], [overhang, above]) = (angles, distances);
+    let [overhang, above] = distances;
     let (mass, inertia) = (mass?, inertia?);
     if mass == 0.0 && inertia.amax() > 0.0 {
         let (name, key, needed) = (name.to_owned(), INERTIA.name(), NACELLE_MASS.name());
@@ -97,15 +100,15 @@ impl Turbine {
         self.tower.as_ref().map_or(self.foot, Column::end)
     }
 
-    /// The turn of the nacelle about the tower.
-    fn turn(&self) -> Matrix3<f64> {
-        vector::to_rotation(&(Vector3::z() * self.nacelle.yaw))
+    /// The rotation of the undeformed nacelle about the tower.
+    fn turn(&self) -> Vector3<f64> {
+        Vector3::z() * self.nacelle.yaw.undeformed()
     }
 
     /// The place of the rotor: blades at azimuth zero point up.
     pub fn place(&self) -> Place {
         let (sin, cos) = self.nacelle.tilt.sin_cos();
-        let shaft = self.turn() * Vector3::new(cos, 0.0, -sin);
+        let shaft = vector::to_rotation(&self.turn()) * Vector3::new(cos, 0.0, -sin);
         let above = Vector3::z() * self.nacelle.above;
         Place {
             center: self.top() + above - shaft * self.nacelle.overhang,
@@ -122,9 +125,11 @@ impl Turbine {
             base.listed("node")
                 .with("name", node)
                 .with("position", lengths(&self.top()))
-                .with("orientation", angles(&(Vector3::z() * self.nacelle.yaw))),
+                .with("orientation", angles(&self.turn())),
         );
-        cards.push(held(base, node, below.as_deref()));
+        let about = (self.top(), Vector3::z());
+        let yaw = &self.nacelle.yaw;
+        cards.push(yaw.card(base, (node, "yaw"), below.as_deref(), about));
         cards.extend(self.nacelle.body.as_ref().map(|lump| {
             base.body(node, lump)
                 .with("offset", lengths(&self.nacelle.center))

@@ -128,6 +128,23 @@ fn a_pylon_is_converted_by_a_drive() {
     }
 }
 
+// The yaw follows its drive, also of a name; the tower is stiff: the hub, 4 m upwind of it and tilted, is on
+// a circle about z.
+#[test]
+fn a_nacelle_is_turned_by_a_drive() {
+    const MOUNT: &str = "[rotor.nacelle]\nyaw = \"turning\"\ntilt = 5\noverhang = 4\nmass = 9\n\
+        inertia = [1, 1, 1]\n";
+    let cards = "[drives.turning]\nexpression = \"40*t^2\"\n[transient]\nto = 1\nstep = 0.02\n";
+    let run = Run::new(&rotor("", MOUNT, cards));
+    let (rise, along) = 5.0_f64.to_radians().sin_cos();
+    for (time, [hub]) in run.motions(["r/hub"]) {
+        let (sin, cos) = (40.0 * time * time).to_radians().sin_cos();
+        let expected = Vector3::new(-along * cos, -along * sin, rise) * 4.0;
+        let off = hub.position - expected;
+        assert!(off.norm() < 1e-6, "{time} {off}");
+    }
+}
+
 #[test]
 fn wrong_mounts_are_explained() {
     let tower = "[rotor.tower]\nheight = 20\n";

@@ -42,6 +42,19 @@ const WRONG: &[(&str, &str, &str)] = &[
         "has \"angle\" and \"torque\"",
     ),
     (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.pitch_link]\nstiffness = 900\n\
+         delta_3 = 120",
+        "\"delta_3\" is 120 deg, expected from -80 to 80 deg",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\n[rotor.swashplate]\n\
+         [rotor.swashplate.plate]\nbelow = 0.3\nhorn = [0.1, 0.2]\n[rotor.swashplate.plate.actuators]\nbase_radius = 0.1\n\
+         radius = 0.2\nbase_below = 0.6\nazimuths = [0, 360, 120]",
+        "\"azimuths\" lists 3 actuators at 2 different azimuths, expected three",
+    ),
+    (
         "rigid",
         "sped = 1",
         "unknown key \"sped\" in [[rotor]] number 1",

@@ -13,6 +13,7 @@ use shared_geom::files::names_beside;
 use super::super::stations::Station;
 use super::problem::FileProblem;
 use super::{AIRFOIL_FILE, AIRFOILS, FILE, one_set};
+use crate::input::aerodynamics::family::position_between;
 use crate::input::aerodynamics::{Airfoils, StripProblem, airfoil_constants, checked_airfoil};
 
 /// An airfoil of the list.
@@ -298,21 +299,16 @@ impl<'a> Pool<'a> {
             let Some(set) = one_set(&read[0], &read[1]) else {
                 continue;
             };
-            let [from, to] = [&read[0], &read[1]].map(|one| one.thickness.unwrap_or_default());
+            let end = |i: usize| [stations[i].at, read[i].thickness.unwrap_or_default()];
             for profile in self.profiles(set, remarks)? {
-                let share = (profile.thickness().unwrap_or_default() - from) / (to - from);
-                if share > SAME && share < 1.0 - SAME {
-                    let at = stations[0].at + share * (stations[1].at - stations[0].at);
-                    more.push((at, Section::single(profile)));
-                }
+                let thickness = profile.thickness().unwrap_or_default();
+                let at = position_between(thickness, [end(0), end(1)]);
+                more.extend(at.map(|at| (at, Section::single(profile))));
             }
         }
         Some(more)
     }
 }
-
-/// Part of the distance of two stations that separates a profile between them from both.
-const SAME: f64 = 1e-9;
 
 /// Thickness of a section of one airfoil \[-\].
 fn thickness(section: &Section) -> Option<f64> {

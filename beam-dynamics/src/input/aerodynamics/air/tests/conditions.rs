@@ -249,3 +249,29 @@ fn a_wind_along_the_vertical_names_the_keys() {
         ),
     ]);
 }
+
+/// A wing of a body at 100 m whose last strip is 20.6 m beside the middle of a box of 40 m.
+#[test]
+fn strips_outside_a_box_are_found_on_reading() {
+    let of = |side: f64| {
+        format!(
+            "units = \"SI\"\n[air.turbulence]\nfile = \"{BOXES}/own.bts\"\nshift = 24\n\
+             [[node]]\nname = \"wing\"\nposition = [0, {side}, 100]\n[[body]]\nnode = \"wing\"\nmass = 1\n\
+             inertia = [1, 1, 1]\n[[strip]]\nname = \"tail\"\nnode = \"wing\"\nfrom = [0, -1, 0]\n\
+             to = [0, 1, 0]\nforward = [-1, 0, 0]\nstrips = 1\n\
+             stations = [{{ at = 0, chord = 1, airfoil = \"naca0012\" }}, {{ at = 2, chord = 1, airfoil = \"naca0012\" }}]\n\
+             [transient]\nto = 1\nstep = 0.1\n"
+        )
+    };
+    let found = read_beside(&of(19.4), &[]);
+    assert!(found.is_ok(), "{:?}", found.err());
+    let shown = reported(read_beside(&of(20.6), &[]));
+    for words in [
+        "a.dynamics.toml:3: turbulence box",
+        "own.bts\": half the width is 20 m, expected at least 20.6 m for strip \"tail\"",
+        "make the box wider, or extend it to points outside",
+    ] {
+        assert!(shown.contains(words), "{words}\n{shown}");
+    }
+    assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+}
