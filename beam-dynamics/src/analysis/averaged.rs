@@ -171,6 +171,7 @@ fn linearized(system: &System, state: &State, conditions: &Conditions) -> [Spars
     let variation = |node: &crate::model::NodeMotion| Variation {
         turn: Matrix3::identity(),
         rate_by_turn: -node.angular_velocity.cross_matrix(),
+        axes: None,
     };
     let variations: Vec<_> = state.nodes.iter().map(variation).collect();
     let [mut by_unknowns, mut by_rates] =
