@@ -48,6 +48,7 @@ use diagnosis::trouble;
 use effort::effort;
 use energy::{EnergyWatch, Finding};
 pub(in crate::analysis) use multibody::Multibody;
+pub(in crate::analysis) use rates::consistent_rates;
 pub(in crate::analysis) use redundant::independent;
 use singular::Passed;
 pub(in crate::analysis) use start::{Started, start};
