@@ -166,7 +166,7 @@ fn stride(steps: usize) -> usize {
     enough.max().unwrap_or(1)
 }
 
-/// A and E along a motion: rotations turn the nodes, and their rates are those of the turning nodes.
+/// A and E along a motion: rotations turn the nodes, and their rates are rates of the turning nodes.
 fn linearized(system: &System, state: &State, conditions: &Conditions) -> [Sparse; 2] {
     let variation = |node: &crate::model::NodeMotion| Variation {
         turn: Matrix3::identity(),
@@ -236,9 +236,9 @@ impl<'a> Mean<'a> {
         }
     }
 
-    /// The matrices by which the equations of the slots are multiplied: those of vectors of blades are
+    /// The matrices by which the equations of the slots are multiplied: equations of vectors of blades are
     /// turned to the axes of the blade, and constraints are combined so that they are as near as
-    /// possible to those of the first instant.
+    /// possible to the constraints of the first instant.
     fn turns(&mut self, blocks: &Blocks, factors: &Factors) -> BTreeMap<usize, DMatrix<f64>> {
         let slots = &self.coordinates.slots;
         let mut turns = BTreeMap::new();
@@ -365,7 +365,7 @@ fn constraints(coordinates: &Coordinates, blocks: &Blocks) -> BTreeMap<usize, Co
     found
 }
 
-/// The rotation Q of constraints C for which Q C is nearest to those of a reference, `Q = U V^T` with
+/// The rotation Q of constraints C for which Q C is nearest to a reference, `Q = U V^T` with
 /// `C_0 C^T = U S V^T`; `None` if it is not determined.
 fn combination(reference: &Constraints, own: &Constraints) -> Option<DMatrix<f64>> {
     let size = own.values().next()?[0].nrows();
@@ -417,7 +417,7 @@ fn modes_of(
     Ok(lowest.pairs.iter().cloned().chain(real).map(mode).collect())
 }
 
-/// Axes for names: those of the blade are the axes of its coordinates.
+/// Axes for names: a blade has the axes of its coordinates.
 fn naming(model: &Model, coordinates: &Coordinates) -> Vec<NamingAxes> {
     let mut axes = model.naming.clone();
     for (node, axes) in axes.iter_mut().enumerate() {

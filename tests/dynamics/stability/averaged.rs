@@ -55,7 +55,7 @@ fn on_a_mast(speed: f64) -> String {
 
 // Without gravity and wind the coefficients of equal blades are constant in multiblade coordinates, also
 // on an anisotropic support: the averaged equations are exact, to the error of the multipliers, which is
-// below 8e-6 with 24 steps and decreases with their fifth power. The least damped roots are those of lag,
+// below 8e-6 with 24 steps and decreases with their fifth power. The least damped roots belong to lag,
 // flap and the mast.
 #[test]
 fn constant_coefficients_are_exact() {

@@ -41,7 +41,7 @@ pub(super) struct Slot {
     pub of_blade: Option<(usize, usize)>,
 }
 
-/// What the unknowns of a slot are.
+/// Kind of the unknowns of a slot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SlotKind {
     /// The components of a vector in the axes of the model.
@@ -65,7 +65,7 @@ pub(super) struct Coordinates {
     azimuths: Vec<f64>,
     /// Axes of each blade at the time zero (columns), of the root.
     blades: Vec<Matrix3<f64>>,
-    /// Axes of the blade in those of each node of a blade, without deformation.
+    /// Axes of the blade in the axes of each node of a blade, without deformation.
     in_nodes: Vec<Option<Matrix3<f64>>>,
     /// Speed of the rotor \[rad/s\].
     speed: f64,
@@ -200,7 +200,7 @@ impl Coordinates {
         }
     }
 
-    /// Axes of the blade in those of each node of a blade, without deformation.
+    /// Axes of the blade in the axes of each node of a blade, without deformation.
     fn in_nodes(&self, model: &Model) -> Vec<Option<Matrix3<f64>>> {
         let rest = model.system.rest();
         let of_node = |(index, node): (usize, &NodeMotion)| {

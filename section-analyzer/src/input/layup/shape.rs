@@ -96,7 +96,7 @@ impl Shape {
         })
     }
 
-    /// The shape, if its quantities are those of a blade.
+    /// The shape, if a blade can have its quantities.
     ///
     /// # Errors
     /// [`LayupFileProblem::Shape`]: a chord that is not positive, an origin far off the chord, a thickness
