@@ -97,7 +97,7 @@ impl Explain for StabilityProblem {
             }
             Self::OtherSpeed { .. } => "write one speed in both, or one parameter for both",
             Self::NotInOrder { .. } => "sort the values, and write each once",
-            Self::OneValue => "add a value, or use the command modes or periodic",
+            Self::OneValue => "add a value, or use the command \"modes\" or \"periodic\" for one",
             Self::Control { .. } => {
                 "remove the control and its target, or choose another parameter"
             }
