@@ -38,6 +38,7 @@ mod csv_rows;
 mod curved;
 mod curved_fit;
 mod damping;
+mod drive_times;
 mod driven_joint;
 mod drives;
 mod electrodes;
@@ -372,7 +373,7 @@ fn cards(
 
     builder.check(&root);
     transient::check(&root, &builder);
-    check_times(document, &builder, analyses.as_ref());
+    drive_times::check(document, &builder, analyses.as_ref());
     if let (Some(output), Some(analyses)) = (&output, &analyses) {
         columns::check(&root, output, analyses.transient.as_ref());
     }
@@ -401,7 +402,14 @@ fn check_rotation(
     builder: &mut ModelBuilder,
     analyses: &Analyses,
 ) -> Option<()> {
-    rotors::check(document, rotors, analyses, builder.hub()?);
+    let mut remarks = rotors::check(document, rotors, analyses, builder.hub()?);
+    remarks.extend(drive_times::remark(
+        document,
+        rotors,
+        builder.drives(),
+        analyses,
+    ));
+    builder.add_remarks(remarks);
     analyses.check(root, gravity, &builder.hub()?.frame_rotation());
     rotating_start::check((document, root), builder, analyses);
     check_air(root, builder, analyses);
@@ -442,17 +450,6 @@ fn outputs(
             (found.map(Some), Some(OutputSettings::default()))
         }
     }
-}
-
-/// Notes problems of loads and drives at the times of the analyses, or at the start.
-fn check_times(document: &Document, builder: &ModelBuilder, analyses: Option<&Analyses>) {
-    let times = analyses.and_then(Analyses::times);
-    if let Some(times) = times {
-        builder.drives().check_run(document, times);
-        control::check_run(document, builder, times);
-    }
-    let start = times.map_or(0.0, |[start, _]| start);
-    builder.drives().check_start(document, start);
 }
 
 /// Notes a wind that does not suit the analyses, and turbulence boxes too small for the blades.

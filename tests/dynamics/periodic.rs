@@ -5,6 +5,7 @@ use beam_dynamics::model::State;
 use beam_dynamics::result::{AcceptedStep, FloquetMode, Recorder};
 use nalgebra::{Complex, DMatrix};
 
+mod far_start;
 mod linear;
 pub mod mathieu;
 pub mod rotor;

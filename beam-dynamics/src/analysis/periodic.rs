@@ -38,6 +38,8 @@ use flow::{Flow, Passed};
 use passes::Passes;
 use shooting::{Orbit, Shooting};
 
+/// Factors of the number of steps with which a period of the start is marched if it fails.
+const FINER: [usize; 4] = [2, 4, 8, 16];
 /// Least steps of the second analysis for the estimate of errors.
 const LEAST_STEPS: usize = 8;
 
@@ -185,11 +187,11 @@ fn search(
     let settings = shooting.settings;
     match (settings.method, settings.pilot) {
         (_, Some(own)) => {
-            settled(flow, state, settle)?;
+            settled(shooting, flow, (state, settle))?;
             pilot::pilot(shooting, flow, (state, own), passes).map(marched)
         }
         (PeriodicMethod::Shooting, None) => {
-            settled(flow, state, settle)?;
+            settled(shooting, flow, (state, settle))?;
             let orbit = shooting.solve(flow, state, passes)?;
             Ok(Found::Shot(Box::new(orbit)))
         }
@@ -254,10 +256,25 @@ fn algebraic(model: &Model, state: &State) -> Vec<bool> {
     dae.algebraic().to_vec()
 }
 
-/// Marches some periods from a state, which becomes the last one.
-fn settled(flow: &mut Flow<'_>, state: &mut State, periods: usize) -> Result<(), PeriodicFailure> {
+/// Marches some periods from a state, which becomes the last one; a period that fails is marched again
+/// with shorter steps, because a start far from the periodic motion moves faster than this.
+fn settled(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    (state, periods): (&mut State, usize),
+) -> Result<(), PeriodicFailure> {
+    let settings = shooting.settings;
     for _ in 0..periods {
-        *state = flow.run(state, &mut |_| true)?;
+        let mut found = flow.run(state, &mut |_| true);
+        for factor in FINER {
+            if found.is_err() {
+                let steps = settings.steps * factor;
+                let mut finer = Flow::new(shooting.model, settings, steps, state);
+                found = finer.run(state, &mut |_| true);
+                flow.periods += usize::from(found.is_ok());
+            }
+        }
+        *state = found?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@
 //!    from the last solution.
 //! 3. Controls that are parameters of the file are found around that, by Broyden's method.
 
-use shared_geom::error::Diagnostics;
+use shared_geom::error::{Diagnostics, counted};
 
 use crate::analysis::effects;
 use crate::analysis::periodic::periodic_watched;
@@ -207,13 +207,16 @@ impl Search<'_> {
         let Some(solved) = solved else {
             return (TrimPoint { failure, ..empty }, None);
         };
+        // The residual of the model does not contain the targets of parameters.
+        let errors = self.errors(&solved).into_iter().map(f64::abs);
+        let residual = errors.fold(solved.residual, f64::max);
         let mut controls = solved.controls;
         controls.extend(self.parameters.iter().flatten());
         let point = TrimPoint {
             controls,
             targets: solved.targets,
             iterations: outer + solved.iterations,
-            residual: solved.residual,
+            residual,
             failure: failure.or(solved.failure),
             ..empty
         };
@@ -298,13 +301,15 @@ impl Search<'_> {
             Stop::Singular(response) => {
                 let of_parameters = (&response, effects::EXACT);
                 let idle = effects::idle(of_parameters, &settings.parameters, targets);
+                let still = last.and_then(|last| at_rest(&last.end.input));
+                let idle = idle.map(|idle| idle + still.unwrap_or_default());
                 idle.unwrap_or_else(|| {
                     format!("the controls do not lead to the targets: {}", worst())
                 })
             }
             Stop::Iterations => format!(
-                "the targets are not met after {} iterations: {}",
-                settings.iterations,
+                "the targets are not met after {}: {}",
+                counted(settings.iterations, "iteration"),
                 worst()
             ),
         };
@@ -334,6 +339,13 @@ impl Search<'_> {
             Ok(found)
         }
     }
+}
+
+/// Why controls have no effect on the air of a model in equilibrium, as text, if it is at rest.
+fn at_rest(input: &Input) -> Option<&'static str> {
+    let settings = input.trim.as_ref()?;
+    let is_static = settings.method == TrimMethod::Equilibrium;
+    is_static.then(|| balanced::at_rest(&input.model, settings))?
 }
 
 /// The first guesses of the parameters of a file.

@@ -80,8 +80,11 @@ pub(super) fn write_period(
     let mut code = DONE;
     let recorded = state.map(|state| record(&input.model, settings, state, &mut files));
     if let (Some(Err(failure)), None) = (recorded, files.problem()) {
-        let (name, remedy) = (&location.name, failure.remedy());
-        terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
+        // The reason of a search that failed is reported by its caller.
+        if result.is_periodic {
+            let (name, remedy) = (&location.name, failure.remedy());
+            terminal.report_text(&format!("error: {name}: {failure}\n  help: {remedy}"));
+        }
         code = NOT_REACHED;
     }
     // Of a motion that does not repeat they would be numbers without a meaning.

@@ -142,13 +142,22 @@ impl Analyses {
         trim.filter(|trim| trim.method == TrimMethod::Equilibrium)
     }
 
+    /// The cards of equilibria and modes, which are at time zero.
+    pub fn without_time(&self) -> Vec<&'static str> {
+        let cards = [
+            ("[modes]", self.modes.is_some()),
+            ("[static]", self.statics.is_some()),
+            ("[buckling]", self.buckling.is_some()),
+            ("[trim]", self.trimmed_equilibrium().is_some()),
+        ];
+        let found = cards.into_iter().filter(|card| card.1);
+        found.map(|card| card.0).collect()
+    }
+
     /// The first and the last time at which drives are evaluated \[s\]: equilibria and
     /// modes are at time zero.
     pub fn times(&self) -> Option<[f64; 2]> {
-        let at_rest = self.modes.is_some()
-            || self.statics.is_some()
-            || self.buckling.is_some()
-            || self.trimmed_equilibrium().is_some();
+        let at_rest = !self.without_time().is_empty();
         let periodic = self.periodic.as_ref().map(|periodic| &periodic.start);
         let runs = self.transient.iter().chain(periodic);
         let runs = runs.map(|run| [run.from, run.to]);

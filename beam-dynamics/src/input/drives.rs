@@ -37,6 +37,8 @@ use signals::Readable;
 
 /// Largest number of corners of a drive in a run: a step ends at each of them.
 const MOST_CORNERS: usize = 500_000;
+/// The key of the angle of a joint.
+const ANGLE: &str = "angle";
 
 /// A drive with a name.
 #[derive(Debug, Clone)]
@@ -273,6 +275,14 @@ impl Reader<'_, '_> {
     }
 }
 
+/// Whether a drive has one rate at some instants.
+fn is_straight(drive: &Drive) -> bool {
+    const INSTANTS: [f64; 3] = [0.37, 1.9, 23.0];
+    let rate = drive.at(0.0).rate;
+    let mut others = INSTANTS.into_iter().map(|time| drive.at(time).rate);
+    others.all(|other| (other - rate).abs() <= 1e-9 * rate.abs())
+}
+
 /// Whether a drive has more corners in a run than are allowed.
 fn has_many_corners(drive: &Drive, [from, to]: [f64; 2]) -> bool {
     let mut time = from;
@@ -362,6 +372,18 @@ impl Catalog {
                 document.note(used.line, &problem);
             }
         }
+    }
+
+    /// Keys and lines of the drives of the model that change with time, with their value at time zero
+    /// [SI units]; not of an angle that grows at a constant rate, which is a steady rotation.
+    pub fn changing(&self) -> Vec<(String, usize, f64)> {
+        let used = self.used.borrow();
+        let changing = used.iter().filter(|one| {
+            let is_constant = one.drive.constant().is_some();
+            !(is_constant || one.key == ANGLE && is_straight(&one.drive))
+        });
+        let found = changing.map(|one| (one.key.clone(), one.line, one.drive.at(0.0).value));
+        found.collect()
     }
 
     /// Notes every drive of the model with too many corners in a run.

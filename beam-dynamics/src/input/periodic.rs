@@ -23,7 +23,7 @@ const LEAST_STEPS: usize = 4;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PeriodicProblem {
     /// The period is not given, or twice.
-    #[error("the period is given by {found}, expected either \"period\" or \"speed\"")]
+    #[error("the period is given by {found}, expected one of \"period\" and \"speed\"")]
     Ways {
         /// The keys found, as text.
         found: &'static str,

@@ -27,6 +27,7 @@ mod distributor;
 mod flexbeam;
 mod flexbeam_keys;
 mod flexbeam_parts;
+mod held_pitch;
 mod hubs;
 mod keys;
 mod mounts;
@@ -35,6 +36,8 @@ mod pitch;
 mod plate;
 mod problem;
 mod shaft;
+mod shaft_parts;
+mod speeds;
 mod stops;
 mod train;
 mod train_keys;
@@ -48,6 +51,7 @@ pub use problem::RotorProblem;
 
 use card::Rotor;
 use context::Context;
+use held_pitch::HeldPitch;
 
 /// The key of the cards.
 const KEY: &str = "rotor";
@@ -65,6 +69,27 @@ pub(super) struct PlacedRotor {
     speed: Option<f64>,
     /// The key of a part of its drive that has no state of steady rotation, if there is one.
     unsteady: Option<&'static str>,
+    /// Whether a node carries its shaft, as of a tower.
+    is_carried: bool,
+    /// Whether its blades have strips in the air.
+    has_air: bool,
+    /// Whether its drive has a free wheel.
+    has_free_wheel: bool,
+    /// Required speed of its governor, if it has one \[rad/s\].
+    governed: Option<f64>,
+    /// Speed that the file gives \[rad/s\].
+    initial: Option<f64>,
+    /// Speed at the time zero of an angle that is an expression of time \[rad/s\].
+    turning: Option<f64>,
+    /// The pitch that analyses without time hold.
+    held: Option<HeldPitch>,
+}
+
+impl PlacedRotor {
+    /// Lines of the keys of its pitch.
+    pub fn pitch_lines(&self) -> &[usize] {
+        self.held.as_ref().map_or(&[], HeldPitch::lines)
+    }
 }
 
 /// The rotors of an input, or the names of those that could not be expanded.
@@ -79,12 +104,19 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     };
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
+        is_carried: rotor.base.carrier.is_some(),
+        has_air: rotor.has_air(),
         name: rotor.base.name,
         line: rotor.base.line,
         center: rotor.center,
         axes: rotor.axes,
         speed: rotor.shaft.constant_speed(),
         unsteady: rotor.shaft.unsteady(),
+        has_free_wheel: rotor.shaft.has_free_wheel(),
+        governed: rotor.shaft.governed(),
+        initial: rotor.shaft.given,
+        turning: rotor.shaft.turning,
+        held: rotor.held,
     };
     let placed = rotors.into_iter().map(|(rotor, _)| place(rotor));
     is_sound.then(|| placed.collect()).ok_or_else(Vec::new)
@@ -200,11 +232,25 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
     }
 }
 
-/// Notes rotors whose speed or axis is not the one of the turning model, or that do not turn as often
-/// as a period needs.
-pub(super) fn check(document: &Document, rotors: &Rotors, analyses: &Analyses, hub: &Hub) {
+/// Notes rotors whose speed or axis is not the one of the turning model, that turn against their parts,
+/// or that do not turn as often as a period needs. Returns remarks on speeds and on pitch that analyses
+/// without time do not follow.
+pub(super) fn check(
+    document: &Document,
+    rotors: &Rotors,
+    analyses: &Analyses,
+    hub: &Hub,
+) -> Vec<String> {
     let rotors = rotors.as_deref().unwrap_or_default();
     check_period(document, rotors, analyses);
+    check_turning(document, (rotors, hub), analyses);
+    speeds::check(document, rotors, analyses);
+    let of_pitch = held_pitch::check(document, rotors, analyses);
+    [speeds::remarks(rotors, analyses), of_pitch].concat()
+}
+
+/// Notes rotors whose speed or axis is not the one of the turning model.
+fn check_turning(document: &Document, (rotors, hub): (&[PlacedRotor], &Hub), analyses: &Analyses) {
     let starts = analyses.transient.iter().map(|run| &run.start);
     let speeds = starts.filter_map(|start| match start {
         Start::Rotating { speed } => Some(*speed),
@@ -223,7 +269,12 @@ pub(super) fn check(document: &Document, rotors: &Rotors, analyses: &Analyses, h
             document.note(rotor.line, &RotorProblem::Unsteady { name, key });
         }
         if is_apart {
-            document.note(rotor.line, &RotorProblem::Axes { name });
+            let problem = if rotor.is_carried {
+                RotorProblem::Carried { name }
+            } else {
+                RotorProblem::Axes { name }
+            };
+            document.note(rotor.line, &problem);
             continue;
         }
         let differs = |own: f64| {

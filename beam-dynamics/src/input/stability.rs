@@ -101,7 +101,7 @@ impl Explain for StabilityProblem {
             Self::OtherSpeed { .. } => "write one speed in both, or one parameter for both",
             Self::NotInOrder { .. } => "sort the values, and write each once",
             Self::NoSpeed => "write the \"speed\" of the rotor in place of \"period\"",
-            Self::OneValue => "add a value, or use the command modes or periodic",
+            Self::OneValue => "add a value, or use the command \"modes\" or \"periodic\" for one",
             Self::Control { .. } => {
                 "remove the control and its target, or choose another parameter"
             }

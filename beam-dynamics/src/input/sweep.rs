@@ -39,9 +39,18 @@ pub enum SweepProblem {
         /// The names of the parameters.
         known: Vec<String>,
     },
+    /// A parameter without effect.
+    #[error(
+        "no expression uses the parameter \"{name}\", so that all points of the sweep are the same"
+    )]
+    Unused {
+        /// The name.
+        name: String,
+    },
     /// The values are not given, or twice.
     #[error(
-        "the values of the sweep are given by {found}, expected \"values\" or \"from\", \"to\" and \"steps\""
+        "the values of the sweep are given by {found}, expected \"values\", or \"from\", \"to\" \
+         and at least 2 \"steps\""
     )]
     Ways {
         /// The keys found, as text.
@@ -58,6 +67,9 @@ impl Explain for SweepProblem {
                     None => "add it to [parameters], and use it in expressions of other numbers"
                         .to_owned(),
                 }
+            }
+            Self::Unused { name } => {
+                format!("use it, as in speed = \"= {name}\", or remove the sweep")
             }
             Self::Ways { .. } => "write values = [0, 0.1, 0.2]".to_owned(),
         })
@@ -77,6 +89,11 @@ pub(super) fn read(table: &Table<'_>) -> Option<Sweep> {
         table.note(&PARAMETER, &problem);
         return None;
     }
+    if !table.document().uses_parameter(&parameter) {
+        let name = parameter;
+        table.note(&PARAMETER, &SweepProblem::Unused { name });
+        return None;
+    }
     Some(Sweep {
         parameter,
         values: values?,
@@ -94,10 +111,10 @@ fn values(table: &Table<'_>) -> Option<Vec<f64>> {
             return Some((0..steps).map(value).collect());
         }
         (Some(_), None, None, None) => "an empty list",
-        (Some(_), ..) => "both ways",
-        (None, Some(_), Some(_), Some(_)) => "fewer than 2 \"steps\"",
+        (Some(_), ..) => "\"values\" beside \"from\", \"to\" or \"steps\"",
+        (None, Some(_), Some(_), Some(_)) => "\"from\", \"to\" and fewer than 2 \"steps\"",
         (None, None, None, None) => "nothing",
-        _ => "a part of \"from\", \"to\" and \"steps\"",
+        _ => "only a part of \"from\", \"to\" and \"steps\"",
     };
     table.note("", &SweepProblem::Ways { found });
     None

@@ -11,7 +11,8 @@ pub struct TrimPoint {
     pub targets: Vec<[f64; 2]>,
     /// Iterations, or periods of an auto-pilot, of all searches.
     pub iterations: usize,
-    /// Largest remaining change or error, relative to its size [-].
+    /// Largest remaining change of the motion or the equilibrium, and error of a target, relative to its
+    /// size [-].
     pub residual: f64,
     /// Reason if the targets are not met, with the remedy.
     pub failure: Option<[String; 2]>,

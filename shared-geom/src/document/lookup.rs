@@ -20,7 +20,7 @@ keys! {
     /// outside.
     pub PARAMETER_TABLE = "[parameters.NAME]";
     /// The other parameter.
-    OF: String = "of", [Text], required, "\"wind\"";
+    pub(super) OF: String = "of", [Text], required, "\"wind\"";
     /// Rows of a value of the other parameter and a value of this one, in place of `file`; the first
     /// ones rise.
     ROWS: ByHand = "rows", [Lines(2)], optional, "[[3, 6.97], [11, 11.89]]";

@@ -230,6 +230,12 @@ impl Document {
         self.parameters.borrow()
     }
 
+    /// Whether an expression, or a table over a parameter, names the parameter.
+    pub fn uses_parameter(&self, name: &str) -> bool {
+        let mut entries = self.root.iter();
+        entries.any(|entry| uses(&entry.value, &entry.key, name))
+    }
+
     /// The value of an expression of parameters under `key`; notes problems, unless they
     /// were caused by a parameter.
     pub(super) fn evaluate(&self, key: &str, line: usize, text: &str) -> Option<f64> {
@@ -276,6 +282,25 @@ fn of(known: &Parameters) -> Names<'_> {
     Names {
         variables: &[],
         constants: known,
+    }
+}
+
+/// Whether a value under a key, or one inside of it, names a parameter.
+fn uses(value: &Value, key: &str, name: &str) -> bool {
+    match &value.kind {
+        Kind::Text(text) => match written(text) {
+            Some(text) => {
+                let mut words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+                words.any(|word| word == name)
+            }
+            None => key == lookup::OF.name() && text == name,
+        },
+        Kind::Array(items) => items.iter().any(|item| uses(item, key, name)),
+        Kind::Table(entries) => {
+            let mut entries = entries.iter();
+            entries.any(|entry| uses(&entry.value, &entry.key, name))
+        }
+        _ => false,
     }
 }
 

@@ -51,7 +51,8 @@ fn wrong_cards_are_reported() {
             "[modes] has 2 speeds, expected one\n  help: write one speed",
         ),
         (
-            format!("{trim}{MODES}[stability]\nparameter = \"speed\"\n{VALUES}"),
+            format!("{trim}{MODES}[stability]\nparameter = \"speed\"\n{VALUES}")
+                .replace("speed = 30", "speed = \"= 30 + 0*speed\""),
             "[modes] has the speed 0 rpm, but the equilibrium of [trim] has 30 rpm, expected the \
              same\n  help: write one speed in both",
         ),

@@ -164,11 +164,7 @@ const WRONG: &[(&str, &str, &str)] = &[
         "iterations = 9",
         "which needs [periodic]",
     ),
-    (
-        "upper = 40",
-        "upper = -1",
-        "is not between its bounds -inf and -1",
-    ),
+    ("upper = 40", "upper = -1", "expected at most its bound -1"),
     (
         "value = 0.5\n",
         "value = 0.5\nharmonic = 2\n",
@@ -202,6 +198,11 @@ const WRONG: &[(&str, &str, &str)] = &[
     ),
     (
         "[trim]\n",
+        "[parameters]\nq = 1\n[trim]\nsweep = { parameter = \"q\", values = [1, 2] }\n",
+        "no expression uses the parameter \"q\"",
+    ),
+    (
+        "[trim]\n",
         "[parameters]\na = 1\n[trim]\nsweep = { parameter = \"a\", values = [1] }\n",
         "which is a control too",
     ),
@@ -231,5 +232,5 @@ fn wrong_cards_are_reported() {
     let found = beam_dynamics::input::parse(&text, "x.dynamics.toml")
         .unwrap_err()
         .to_string();
-    assert!(found.contains("2 controls and 1 targets"), "{found}");
+    assert!(found.contains("2 controls and 1 target,"), "{found}");
 }

@@ -1,5 +1,7 @@
 //! Reasons why no periodic motion was found.
 
+use shared_geom::error::counted;
+
 use crate::analysis::transient::TransientFailure;
 use crate::case::TrimControl;
 use crate::integrator::StepFailure;
@@ -24,8 +26,9 @@ pub enum PeriodicFailure {
     },
     /// The march did not settle.
     #[error(
-        "the motion does not repeat after {periods} periods: {worst}; it changes by a factor of \
-         {ratio:.5} in a period"
+        "the motion does not repeat after {}: {worst}; it changes by a factor of {ratio:.5} in a \
+         period",
+        counted(*periods, "period")
     )]
     NotSettled {
         /// Number of periods.
@@ -38,7 +41,7 @@ pub enum PeriodicFailure {
         left: Option<f64>,
     },
     /// Newton's method did not converge.
-    #[error("the motion does not repeat after {iterations} iterations: {worst}")]
+    #[error("the motion does not repeat after {}: {worst}", counted(*iterations, "iteration"))]
     NotConverged {
         /// Number of iterations.
         iterations: usize,
@@ -75,7 +78,11 @@ pub enum PeriodicFailure {
         worst: String,
     },
     /// Controls without targets.
-    #[error("{controls} controls and {targets} targets, expected as many targets as controls")]
+    #[error(
+        "there are {} and {}, expected as many targets as controls",
+        counted(*controls, "control"),
+        counted(*targets, "target")
+    )]
     Counts {
         /// Number of controls.
         controls: usize,
@@ -96,6 +103,20 @@ pub enum PeriodicFailure {
     NoMultipliers,
 }
 
+/// Remedies of a failed step of a period, whose steps have one length and damp without a parameter.
+fn of_step(failure: &StepFailure) -> String {
+    let own = "use more \"steps\" in the period; begin nearer to the periodic motion, with a larger \
+               \"settle\": these periods are marched with shorter steps if needed; \
+               let joints begin without an angle, which deforms elastic parts that are not built with it";
+    let others = failure.reason.remedies().iter();
+    let others = others.filter(|remedy| {
+        let idle = ["shorter steps", "asymptotic radius"];
+        !idle.iter().any(|word| remedy.contains(word))
+    });
+    let all = std::iter::once(&own).chain(others);
+    all.copied().collect::<Vec<_>>().join("; ")
+}
+
 impl PeriodicFailure {
     /// The failure of a control at a bound, given the worst equation as text.
     pub(super) fn bound(control: &TrimControl, bound: f64, worst: String) -> Self {
@@ -111,7 +132,7 @@ impl PeriodicFailure {
     pub fn remedy(&self) -> String {
         let text = match self {
             Self::Start(failure) => return failure.remedy(),
-            Self::Step(failure) => return failure.reason.remedies().join("; "),
+            Self::Step(failure) => return of_step(failure),
             Self::Memory { .. } => {
                 "use method = \"march\" without [periodic.floquet], or replace the sampled system \
                  by a continuous one"
@@ -144,11 +165,10 @@ impl PeriodicFailure {
             Self::Bound { .. } => {
                 "move the bound, require another value of the target, or replace the control"
             }
-            Self::SingularStep => "use more \"steps\"",
+            Self::SingularStep | Self::NoMultipliers => "use more \"steps\"",
             Self::Counts { .. } => "give each control one target",
             Self::NoState { .. } => "name a control or target of this model",
             Self::Recorder => "check the disk and the folder of the results",
-            Self::NoMultipliers => "use more \"steps\"",
         };
         text.to_owned()
     }

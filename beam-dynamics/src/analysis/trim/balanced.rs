@@ -49,6 +49,12 @@ impl NotBalanced {
     }
 }
 
+/// Why controls of blades have no effect, as text, if the model does not turn.
+pub(super) fn at_rest(model: &Model, settings: &TrimSettings) -> Option<&'static str> {
+    let is_still = settings.speed == 0.0 && !model.blades.is_empty();
+    is_still.then_some("; the blades do not turn, because \"speed\" of [trim] is 0")
+}
+
 /// The index of the scalar of an element among all scalars.
 pub(super) fn scalar(model: &Model, label: &str) -> Option<usize> {
     let mut scalars = model.system.scalars().iter();
@@ -124,7 +130,9 @@ fn from_guesses(
                     &settings.targets,
                 )
             });
-            Err(idle.map_or(NotBalanced::Targets(failure), NotBalanced::Idle))
+            let still = at_rest(model, settings).unwrap_or_default();
+            let idle = idle.map(|reason| NotBalanced::Idle(reason + still));
+            Err(idle.unwrap_or(NotBalanced::Targets(failure)))
         }
     }
 }

@@ -9,8 +9,9 @@
 //! ```
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{Card, Content};
+use shared_geom::document::{Card, Content, Document};
 use shared_geom::rotation::vector;
+use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
 
 use super::damper_law::DamperLaw;
@@ -26,6 +27,19 @@ pub(super) struct Units {
     pub time: f64,
     /// Moment \[N m\].
     pub moment: f64,
+}
+
+impl Units {
+    /// The declared units of a file.
+    pub fn of(document: &Document) -> Self {
+        let factor = |dimension| document.factor(dimension);
+        Self {
+            angle: factor(Dimension::ANGLE),
+            length: factor(Dimension::LENGTH),
+            time: factor(Dimension::TIME),
+            moment: factor(Dimension::MOMENT),
+        }
+    }
 }
 
 /// A number as a part of an expression.

@@ -3,10 +3,9 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::document::{Card, Content, Document, Table};
+use shared_geom::document::{Card, Content, Table};
 use shared_geom::expression::is_name;
 use shared_geom::rotation::vector;
-use shared_geom::units::Dimension;
 
 use super::arms;
 use super::base::{Base, Lump, Units, angles, lengths};
@@ -18,6 +17,7 @@ use super::damper_parts::{self, LagDamper};
 use super::flexbeam::{self, Bearingless};
 use super::flexbeam_keys::{FLEXBEAM, SNUBBER, TORQUE_TUBE};
 use super::flexbeam_parts;
+use super::held_pitch::HeldPitch;
 use super::hubs::{HUBS, HubKind};
 use super::keys;
 use super::mounts::keys::{NACELLE, PYLON, TOWER};
@@ -26,9 +26,8 @@ use super::parts;
 use super::pitch;
 use super::plate::Plate;
 use super::problem::RotorProblem;
-use super::shaft::{self, Drive, Shaft};
-use super::train_parts;
-use crate::elements::Smoothness;
+use super::shaft::{self, Shaft};
+use super::shaft_parts;
 use crate::input::moments::moments;
 use crate::input::problem::InputProblem;
 
@@ -46,6 +45,8 @@ pub(super) struct Rotor {
     pub axes: Matrix3<f64>,
     /// Its shaft with the drive.
     pub shaft: Shaft,
+    /// The pitch that analyses without time hold.
+    pub held: Option<HeldPitch>,
     /// What carries the shaft, and the node that holds this.
     mount: Option<(Mount, Option<String>)>,
     hub: &'static HubKind,
@@ -79,13 +80,12 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let (azimuth, count) = (azimuth(table, context), table.get(&keys::BLADES));
     let shown = name.clone().unwrap_or_default();
     let placement = placement(table, &shown, context);
-    let shaft = shaft(table, &shown, context);
+    let shaft = shaft_parts::read(table, &shown, context);
     let body = body(table, &shown);
     let blade = parts::blade(table);
     let inflow = parts::inflow(table, &shown);
     let (undersling, link) = (table.get(&keys::UNDERSLING), table.get(&keys::LINK));
-    let cone =
-        [blade.as_ref().map(|blade| blade.precone), undersling].map(Option::unwrap_or_default);
+    let cone = [blade.as_ref().map(|own| own.precone), undersling].map(Option::unwrap_or_default);
     let controls = parts::controls(table, (&shown, cone), context);
     let (tilt, yoke) = (parts::tilt(table), parts::yoke(table, &shown));
     let root = blade.as_ref().map_or(f64::INFINITY, |blade| blade.radius);
@@ -93,9 +93,8 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let flexbeam = flexbeam_parts::read(table, &shown, root);
     let lag_damper = damper_parts::between(table, &shown);
     table.finish();
-    let (hub, (shaft, initial), blade) = (hub?, shaft?, blade?);
-    let (mut controls, inflow, flexbeam) = (controls?, inflow?, flexbeam?);
-    let placement = placement?;
+    let (hub, shaft, blade) = (hub?, shaft?, blade?);
+    let (mut controls, flexbeam, placement) = (controls?, flexbeam?, placement?);
     let mut base = Base {
         name: name?,
         line: table.line(),
@@ -106,19 +105,21 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         pitch: 0.0,
         undersling: undersling?,
         link: link?,
-        spin: context.moves.then_some(initial),
+        spin: context.moves.then_some(shaft.given.unwrap_or(0.0)),
         tilt: tilt?.unwrap_or_default(),
         yoke: yoke?,
         has_flexbeam: flexbeam.is_some(),
         hinges: hinges?,
-        units: units(table.document()),
+        units: Units::of(table.document()),
     };
     controls.build_in(&mut base, root);
+    let held = HeldPitch::of(controls.pitch.as_ref(), (&base, &shaft), (table, context));
     let rotor = Rotor {
         center: placement.center,
         axes: placement.axes,
         mount: placement.mount,
         shaft,
+        held,
         hub,
         body: body?,
         fixed_pitch: blade.pitch,
@@ -128,7 +129,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         plate: controls.plate,
         flexbeam,
         lag_damper: lag_damper?,
-        inflow,
+        inflow: inflow?,
         base,
     };
     is_sound(&rotor, table).then_some(rotor)
@@ -175,16 +176,6 @@ fn name(table: &Table<'_>) -> Option<String> {
     None
 }
 
-fn units(document: &Document) -> Units {
-    let factor = |dimension| document.factor(dimension);
-    Units {
-        angle: factor(Dimension::ANGLE),
-        length: factor(Dimension::LENGTH),
-        time: factor(Dimension::TIME),
-        moment: factor(Dimension::MOMENT),
-    }
-}
-
 /// Axes of a rotor by the keys of its card.
 fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
     let (axis, aft) = (table.get(&keys::AXIS), table.get(&keys::AFT));
@@ -209,41 +200,6 @@ fn axes_of(table: &Table<'_>, axis: &Vector3<f64>, aft: &Vector3<f64>) -> Option
     }
     let x = across.normalize();
     Some(Matrix3::from_columns(&[x, axis.cross(&x), axis]))
-}
-
-/// The shaft, and its speed at the start \[rad/s\].
-fn shaft(table: &Table<'_>, name: &str, context: &Context) -> Option<(Shaft, f64)> {
-    let (drive, train) = (drive(table, name, context), train_parts::read(table, name));
-    let ((drive, initial), train) = (drive?, train?);
-    Some((Shaft { drive, train }, initial))
-}
-
-/// The drive of the shaft, and the speed at the start \[rad/s\].
-fn drive(table: &Table<'_>, name: &str, context: &Context) -> Option<(Drive, f64)> {
-    let speed = table.get(&keys::SPEED)?;
-    let sum = |key, needed| {
-        let control = super::controls::read(table, key, (context, needed))?;
-        let mut sum = Sum::default();
-        sum.add(control.as_ref(), None);
-        Some(sum)
-    };
-    let angle = sum(&keys::ANGLE.schema, Smoothness::Acceleration)?;
-    let torque = sum(&keys::TORQUE.schema, Smoothness::Value)?;
-    let initial = speed.unwrap_or(0.0);
-    let name = name.to_owned();
-    match (angle.is_empty(), torque.is_empty()) {
-        (false, false) => {
-            table.note(&keys::TORQUE, &RotorProblem::TwoDrives { name });
-            None
-        }
-        (false, true) => Some((Drive::Angle(angle.content(), angle.text()), initial)),
-        (true, false) => Some((Drive::Torque(torque.content()), initial)),
-        (true, true) if speed.is_none() => {
-            table.note("", &RotorProblem::NoDrive { name });
-            None
-        }
-        (true, true) => Some((Drive::Speed(initial), initial)),
-    }
 }
 
 /// The body of the hub; `Some(None)` without mass.
@@ -320,17 +276,19 @@ fn hub_problem(rotor: &Rotor, table: &Table<'_>) -> Option<(&'static str, RotorP
 fn damper_problem(rotor: &Rotor) -> Option<RotorProblem> {
     let damper = rotor.lag_damper.as_ref()?;
     if damper.is_between_blades && rotor.base.count == 1 {
-        return Some(RotorProblem::Idle {
+        return Some(RotorProblem::NoPartOfDamper {
             name: rotor.base.name.clone(),
-            key: "between = blades",
-            needed: "a second blade",
+            key: "between",
+            word: "blades",
+            lacks: "one blade",
         });
     }
     let on_lag = damper.on_root == Some(false);
-    (on_lag && arms::lagging(&rotor.base, 0).is_none()).then(|| RotorProblem::Idle {
+    (on_lag && arms::lagging(&rotor.base, 0).is_none()).then(|| RotorProblem::NoPartOfDamper {
         name: rotor.base.name.clone(),
-        key: "on = lag",
-        needed: "lag hinge",
+        key: "on",
+        word: "lag",
+        lacks: "no lag hinge",
     })
 }
 
@@ -366,6 +324,11 @@ fn has_spring(base: &Base) -> bool {
 }
 
 impl Rotor {
+    /// Whether its blades have strips in the air.
+    pub fn has_air(&self) -> bool {
+        self.blade.iter().any(|(key, _)| key == parts::AERODYNAMICS)
+    }
+
     /// All cards; `has_hub` if the input has a `[hub]`, or other rotors.
     ///
     /// # Errors

@@ -6,7 +6,7 @@
 use std::cell::Cell;
 
 use shared_geom::document::schema::KeySchema;
-use shared_geom::document::{Item, Table};
+use shared_geom::document::{Document, Item, Table};
 use shared_geom::units;
 
 use super::keys::{COSINE, HARMONIC, NAME, PLATE, SINE, SWASHPLATE, TORQUE};
@@ -88,6 +88,13 @@ impl Context {
     /// Whether all values so far were accepted.
     pub fn is_sound(&self) -> bool {
         !self.wrong.get()
+    }
+
+    /// The parameters, and the first guesses of numbers that a trim finds.
+    pub fn constants(&self, document: &Document) -> Vec<(String, f64)> {
+        let mut constants = document.parameters().clone();
+        constants.extend(self.guesses.iter().cloned());
+        constants
     }
 
     /// Whether there is a drive of the name.

@@ -48,13 +48,44 @@ impl Control {
         let Kind::Text(text) = &self.kind else {
             return None;
         };
-        let names = Names {
-            variables: &["t"],
-            constants,
+        at_start(text, constants).map(|jet| jet.value)
+    }
+
+    /// Its rate at time zero in the declared units, if it is known: it may use the constants.
+    pub fn rate_at_start(&self, constants: &[(String, f64)]) -> Option<f64> {
+        let Kind::Text(text) = &self.kind else {
+            return None;
         };
-        let expression = Expression::parse(text, &names).ok()?;
-        let value = expression.at(|_| Jet::constant(0.0)).value;
-        value.is_finite().then_some(value)
+        let rate = at_start(text, constants)?.first;
+        rate.is_finite().then_some(rate)
+    }
+
+    /// Whether it is not the number zero.
+    pub fn acts(&self) -> bool {
+        self.number() != Some(0.0)
+    }
+
+    /// Whether its value is another one at other times, but for sensed quantities.
+    pub fn changes(&self) -> bool {
+        match &self.kind {
+            Kind::Text(text) => uses(text, "t"),
+            Kind::Drive(_) => true,
+        }
+    }
+
+    /// Whether it is an expression with the name.
+    pub fn uses(&self, name: &str) -> bool {
+        matches!(&self.kind, Kind::Text(text) if uses(text, name))
+    }
+
+    /// Its line in the file.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// Its key in the file.
+    pub fn key(&self) -> &'static str {
+        self.key
     }
 
     /// The number, if it is one, in the declared unit.
@@ -69,6 +100,24 @@ impl Control {
     pub fn drive(&self) -> Option<(usize, &'static str)> {
         matches!(self.kind, Kind::Drive(_)).then_some((self.line, self.key))
     }
+}
+
+/// An expression of time at time zero, which may use the constants; `None` if it uses others or has no
+/// finite value.
+pub(super) fn at_start(text: &str, constants: &[(String, f64)]) -> Option<Jet> {
+    let names = Names {
+        variables: &["t"],
+        constants,
+    };
+    let expression = Expression::parse(text, &names).ok()?;
+    let jet = expression.at(|_| Jet::variable(0.0));
+    jet.value.is_finite().then_some(jet)
+}
+
+/// Whether a name is in an expression.
+fn uses(text: &str, name: &str) -> bool {
+    let mut words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    words.any(|word| word == name)
 }
 
 /// Reads the control under a declared key; `Some(None)` if it is absent.
@@ -135,7 +184,7 @@ pub(super) fn list(table: &Table<'_>, key: &KeySchema, wanted: Wanted<'_>) -> Op
     let Some(item) = table.item(key.name) else {
         return Some(Vec::new());
     };
-    let Some(items) = item.list() else {
+    let Some(items) = item.list().filter(|items| !items.is_empty()) else {
         return item.wrong("a list of drives, one per blade");
     };
     let read = items.iter().map(|item| control(item, key, wanted));
@@ -241,6 +290,26 @@ impl Pitch {
     /// Whether it depends on the azimuth.
     pub fn is_cyclic(&self) -> bool {
         self.cosine.is_some() || self.sine.is_some() || !self.harmonics.is_empty()
+    }
+
+    /// All of its controls.
+    pub fn all(&self) -> impl Iterator<Item = &Control> {
+        let harmonics = self.harmonics.iter().flat_map(|(_, pair)| pair).flatten();
+        let first = self.collective.iter().chain(&self.cosine).chain(&self.sine);
+        first.chain(harmonics).chain(&self.individual)
+    }
+
+    /// The factors of cosines and sines of the azimuth that are not zero.
+    pub fn cyclic(&self) -> impl Iterator<Item = &Control> {
+        let harmonics = self.harmonics.iter().flat_map(|(_, pair)| pair).flatten();
+        let first = self.cosine.iter().chain(&self.sine);
+        first.chain(harmonics).filter(|control| control.acts())
+    }
+
+    /// The pitch that does not depend on the azimuth, and changes with time.
+    pub fn changing(&self) -> impl Iterator<Item = &Control> {
+        let steady = self.collective.iter().chain(&self.individual);
+        steady.filter(|control| control.changes())
     }
 
     /// Line and key of a drive by name or table in a sum that senses a quantity, or the azimuth if

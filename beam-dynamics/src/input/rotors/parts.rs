@@ -174,7 +174,7 @@ fn stop(table: &Table<'_>) -> Option<Stop> {
     let (lower, upper) = (lower?, upper?);
     let found = match (lower, upper) {
         (None, None) => Some("no angle"),
-        (Some(lower), Some(upper)) if lower >= upper => Some("\"lower\" above \"upper\""),
+        (Some(lower), Some(upper)) if lower >= upper => Some("\"lower\" not below \"upper\""),
         _ => None,
     };
     if let Some(found) = found {
@@ -192,25 +192,25 @@ fn stop(table: &Table<'_>) -> Option<Stop> {
 
 /// Reads the hinges of a rotor whose blades begin at the radius `root` \[m\].
 pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
-    let mut before = f64::NEG_INFINITY;
+    let mut before = None;
     table.each(&HINGES, |table| {
         let (kind, offset) = (table.get(&KIND), table.get(&OFFSET));
         let restraint = restraint(table);
         let damper = damper_parts::of_hinge(table);
         let (kind, offset) = (kind?, offset?);
-        let default = if before.is_finite() { before } else { root };
-        let offset = offset.unwrap_or(default);
-        if offset < before || offset > root {
+        let offset = offset.or(before).unwrap_or(root);
+        let from = before.unwrap_or(0.0);
+        if offset < from || offset > root {
             let problem = RotorProblem::HingeOrder {
                 hinge: format!("the {} hinge", KINDS[kind]),
                 found: offset,
-                from: before.max(0.0),
+                from,
                 to: root,
             };
             table.note(&OFFSET, &problem);
             return None;
         }
-        before = offset;
+        before = Some(offset);
         Some(Hinge {
             kind,
             offset,
@@ -340,8 +340,7 @@ fn swashplate(
     let collective = collective?;
     // Links of plates have their undeformed length without pitch.
     let built_in = collective.as_ref().filter(|_| !table.has(&PLATE));
-    let mut constants = table.document().parameters().clone();
-    constants.extend(wanted.0.guesses.iter().cloned());
+    let constants = wanted.0.constants(table.document());
     let built_in = built_in.and_then(|control| control.at_start(&constants));
     let pitch = Pitch {
         built_in: built_in.unwrap_or(0.0),

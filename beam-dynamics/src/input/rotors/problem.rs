@@ -1,6 +1,6 @@
 //! Problems of rotors.
 
-use shared_geom::error::{Explain, quoted};
+use shared_geom::error::{Explain, counted, quoted};
 
 use crate::input::rotor_speed::RPM;
 use crate::input::short_number;
@@ -92,8 +92,10 @@ pub enum RotorProblem {
     },
     /// A curve of a damper that is no function of the rate.
     #[error(
-        "the damper has {rates} rates and {moments} {key}, expected as many, at least two, with \
-         ascending rates"
+        "the damper has {} and {} under \"{key}\", expected as many of each, at least two, and \
+         ascending rates",
+        counted(*rates, "rate"),
+        counted(*moments, "value")
     )]
     Curve {
         /// Number of rates.
@@ -125,10 +127,22 @@ pub enum RotorProblem {
         /// The reason, as text.
         reason: &'static str,
     },
-    /// A table without the one that uses it.
-    #[error("rotor \"{name}\" has \"{key}\" without \"{needed}\", expected both")]
-    Idle {
+    /// A damper on a part that the rotor does not have.
+    #[error("\"{key}\" of [rotor.lag_damper] is \"{word}\", but rotor \"{name}\" has {lacks}")]
+    NoPartOfDamper {
         /// Name of the rotor.
+        name: String,
+        /// The key.
+        key: &'static str,
+        /// Its word.
+        word: &'static str,
+        /// The missing part, as text.
+        lacks: &'static str,
+    },
+    /// A table without the one that uses it.
+    #[error("{} has \"{key}\" without \"{needed}\", expected both", owner(name))]
+    Idle {
+        /// Name of the rotor, or the title of its table.
         name: String,
         /// The key.
         key: &'static str,
@@ -136,9 +150,9 @@ pub enum RotorProblem {
         needed: &'static str,
     },
     /// Two tables that exclude each other.
-    #[error("rotor \"{name}\" has \"{key}\" and \"{other}\", expected one of them")]
+    #[error("{} has \"{key}\" and \"{other}\", expected one of them", owner(name))]
     Both {
-        /// Name of the rotor.
+        /// Name of the rotor, or the title of its table.
         name: String,
         /// A key.
         key: &'static str,
@@ -221,6 +235,63 @@ pub enum RotorProblem {
         /// Speed of the start [rpm].
         start: f64,
     },
+    /// Airfoils that move backward.
+    #[error(
+        "rotor \"{name}\" turns at {} rpm, so that its airfoils move backward, expected a speed above 0",
+        short_number(speed / RPM, 6)
+    )]
+    Backward {
+        /// Name of the rotor.
+        name: String,
+        /// Its speed \[rad/s\].
+        speed: f64,
+    },
+    /// A free wheel that never holds.
+    #[error(
+        "rotor \"{name}\" turns at {} rpm, but its free wheel drives in the sense of \"axis\" only",
+        short_number(speed / RPM, 6)
+    )]
+    Overrun {
+        /// Name of the rotor.
+        name: String,
+        /// Its speed \[rad/s\].
+        speed: f64,
+    },
+    /// Two speeds of a shaft.
+    #[error(
+        "rotor \"{name}\" has the \"speed\" {} rpm, but its \"angle\" begins with {} rpm",
+        short_number(speeds[0] / RPM, 6),
+        short_number(speeds[1] / RPM, 6)
+    )]
+    Angle {
+        /// Name of the rotor.
+        name: String,
+        /// The given one, and the one of the angle at time zero \[rad/s\].
+        speeds: [f64; 2],
+    },
+    /// A trim at rest of a rotor that turns.
+    #[error(
+        "rotor \"{name}\" turns at {} rpm, but [trim] has no \"speed\": in its equilibrium the model \
+         is at rest",
+        short_number(speed / RPM, 6)
+    )]
+    Still {
+        /// Name of the rotor.
+        name: String,
+        /// Its speed \[rad/s\].
+        speed: f64,
+    },
+    /// A control of an equilibrium that acts over the azimuth.
+    #[error(
+        "\"{control}\" of [trim] is cyclic pitch of rotor \"{name}\", which changes over the azimuth: in \
+         an equilibrium it would stay as at the time zero"
+    )]
+    HeldControl {
+        /// Name of the rotor.
+        name: String,
+        /// Name of the control.
+        control: String,
+    },
     /// A drive without a state of steady rotation.
     #[error("rotor \"{name}\" has \"{key}\", which has no state of steady rotation")]
     Unsteady {
@@ -247,6 +318,15 @@ pub enum RotorProblem {
     /// A model that turns about another axis than the rotor.
     #[error("the model turns about the axis of [hub], and rotor \"{name}\" has another")]
     Axes {
+        /// Name of the rotor.
+        name: String,
+    },
+    /// A model that turns with the support of the rotor.
+    #[error(
+        "rotor \"{name}\" turns on a part that does not, but a model with a speed of [modes], [static] or \
+         start = \"rotating\" turns as a whole"
+    )]
+    Carried {
         /// Name of the rotor.
         name: String,
     },
@@ -312,7 +392,40 @@ impl Explain for RotorProblem {
                 "the lengths of actuators, and a pitch with a sensed quantity or azimuth, are \
                  expressions: write the drive as one"
             }
+            Self::NoPartOfDamper { key: "on", .. } => {
+                "add a lag hinge, or write on = \"root\", the part that also turns with the pitch"
+            }
+            Self::NoPartOfDamper { .. } => "write between = \"hub\", or more \"blades\"",
+            Self::DamperEnds { .. } => {
+                "both are positions from the center of the hub along the undeformed blade: \"hub\" moves \
+                 with the hub and \"blade\" with the blade, and the damper acts along the line between \
+                 them"
+            }
+            _ => return self.help_of_rotation().map(str::to_owned),
+        };
+        Some(fixed.to_owned())
+    }
+}
+
+impl RotorProblem {
+    /// Remedies of problems of speeds, and of analyses that the rotation does not suit.
+    fn help_of_rotation(&self) -> Option<&'static str> {
+        Some(match self {
             Self::Speeds { .. } => "give both the same speed",
+            Self::Backward { .. } | Self::Overrun { .. } => {
+                "\"axis\" of [[rotor]] has the sense of rotation: reverse it, and write the positive \
+                 speed"
+            }
+            Self::Angle { .. } => "remove \"speed\", which follows from \"angle\", or correct one",
+            Self::Still { .. } => {
+                "give [trim] the speed of the rotor, or write method = \"shooting\" and add [periodic]"
+            }
+            Self::HeldControl { .. } => "write method = \"shooting\" in [trim], and add [periodic]",
+            Self::Carried { .. } => {
+                "find the motion in [periodic] with the speed of the rotor, its modes in \
+                 [periodic.floquet], and these over a parameter in [stability] with by = \"Floquet\"; \
+                 runs in time begin with start = \"given\""
+            }
             Self::Unsteady { .. } => {
                 "remove it, so that the engine has the constant \"speed\" of the rotor, or compute the \
                  motion in time from start = \"given\""
@@ -322,16 +435,19 @@ impl Explain for RotorProblem {
             }
             Self::Axes { .. } => {
                 "steady rotation needs the axis and the center of the rotor in [hub], and one rotor; \
-                 compute several in [transient] with start = \"given\""
-            }
-            Self::DamperEnds { .. } => {
-                "both are positions from the center of the hub along the undeformed blade: \"hub\" moves \
-                 with the hub and \"blade\" with the blade, and the damper acts along the line between \
-                 them"
+                 compute several in [transient] or [periodic] with start = \"given\""
             }
             _ => return None,
-        };
-        Some(fixed.to_owned())
+        })
+    }
+}
+
+/// The name of a rotor, or the title of a table, in a message.
+fn owner(name: &str) -> String {
+    if name.starts_with('[') {
+        name.to_owned()
+    } else {
+        format!("rotor \"{name}\"")
     }
 }
 

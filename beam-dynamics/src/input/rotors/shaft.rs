@@ -25,6 +25,10 @@ pub(super) struct Shaft {
     pub drive: Drive,
     /// The train between engine and hub.
     pub train: Option<Train>,
+    /// Speed that the file gives \[rad/s\].
+    pub given: Option<f64>,
+    /// Speed at the time zero of an angle that is an expression of time \[rad/s\].
+    pub turning: Option<f64>,
 }
 
 impl Shaft {
@@ -52,6 +56,19 @@ impl Shaft {
             (None, true) => Some(FREE_WHEEL.name()),
             (None, false) => None,
         }
+    }
+
+    /// Whether it has a free wheel.
+    pub fn has_free_wheel(&self) -> bool {
+        self.train
+            .as_ref()
+            .is_some_and(|train| train.has_free_wheel)
+    }
+
+    /// Required speed of the governor, if there is one \[rad/s\].
+    pub fn governed(&self) -> Option<f64> {
+        let governor = self.train.as_ref()?.governor.as_ref()?;
+        Some(governor.speed)
     }
 
     /// The prescribed angle of the hub, if it is prescribed.

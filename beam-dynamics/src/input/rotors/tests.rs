@@ -18,6 +18,7 @@ mod motion;
 mod mounts;
 mod problems;
 mod restraints;
+mod steady;
 mod train;
 
 /// A stiff, light strip.

@@ -1,12 +1,16 @@
 //! Problems of `[trim]`.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, counted};
 
 /// A problem of `[trim]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TrimProblem {
     /// Controls and targets differ in number.
-    #[error("there are {controls} controls and {targets} targets, expected as many of each")]
+    #[error(
+        "[trim] has {} and {}, expected as many of each, at least one",
+        counted(*controls, "control"),
+        counted(*targets, "target")
+    )]
     Counts {
         /// Number of controls.
         controls: usize,
@@ -35,7 +39,7 @@ pub enum TrimProblem {
         key: &'static str,
     },
     /// A first guess outside of the bounds.
-    #[error("the first guess {guess} of \"{name}\" is not between its bounds {lower} and {upper}")]
+    #[error("the first guess of \"{name}\" is {guess}, expected {}", range([*lower, *upper]))]
     Bounds {
         /// Name of the control.
         name: String,
@@ -73,6 +77,15 @@ pub enum TrimProblem {
         /// The name.
         name: String,
     },
+}
+
+/// The numbers between two bounds, of which one may be infinite, as text.
+fn range([lower, upper]: [f64; 2]) -> String {
+    match (lower.is_finite(), upper.is_finite()) {
+        (true, true) => format!("a number between its bounds {lower} and {upper}"),
+        (true, false) => format!("at least its bound {lower}"),
+        _ => format!("at most its bound {upper}"),
+    }
 }
 
 impl Explain for TrimProblem {

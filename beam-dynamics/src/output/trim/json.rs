@@ -32,7 +32,9 @@ pub fn trim_json(result: &TrimResult) -> String {
 
 fn of_point(result: &TrimResult, point: &TrimPoint) -> Value {
     let target = |pair: Option<&[f64; 2]>| match pair {
-        Some([found, required]) => json!({ "found": found, "required": required }),
+        Some([found, required]) => {
+            json!({ "found": found, "required": required, "error": found - required })
+        }
         None => Value::Null,
     };
     let (reason, remedy) = match &point.failure {
@@ -101,7 +103,7 @@ mod tests {
                 "at": null,
                 "status": "met",
                 "controls": { "collective": 1.0 / 3.0 },
-                "targets": { "lift \"N\"": { "found": 700.0, "required": 701.0 } },
+                "targets": { "lift \"N\"": { "found": 700.0, "required": 701.0, "error": -1.0 } },
                 "iterations": 3,
                 "residual": 2e-12,
                 "reason": null,

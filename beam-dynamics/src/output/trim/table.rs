@@ -7,13 +7,17 @@ use crate::result::{TrimPoint, TrimResult};
 /// Digits of numbers.
 const DIGITS: usize = 12;
 
-/// A row for each point: parameter of the sweep, controls, targets found and required, iterations,
-/// residual, and whether the targets are met. Missing values are empty.
+/// A row for each point: parameter of the sweep, controls, targets found and required with their error in
+/// the unit of the target, iterations, residual, and whether the targets are met. Missing values are empty.
 pub fn trim_csv(result: &TrimResult) -> String {
     let mut header: Vec<_> = result.sweep.iter().cloned().collect();
     header.extend(result.controls.iter().cloned());
     for name in &result.targets {
-        header.extend([name.clone(), format!("{name} required")]);
+        header.extend([
+            name.clone(),
+            format!("{name} required"),
+            format!("{name} error"),
+        ]);
     }
     header.extend(["iterations", "residual [-]", "status"].map(str::to_owned));
     let rows = result.points.iter().map(|point| row(result, point));
@@ -31,18 +35,24 @@ fn row(result: &TrimResult, point: &TrimPoint) -> Vec<String> {
     for i in 0..result.targets.len() {
         let pair = point.targets.get(i);
         row.extend([0, 1].map(|k| number(pair.map(|pair| pair[k]))));
+        row.push(small(pair.map_or(f64::NAN, |pair| pair[0] - pair[1])));
     }
     row.push(point.iterations.to_string());
-    row.push(if point.residual.is_finite() {
-        format!("{:.3e}", point.residual)
-    } else {
-        String::new()
-    });
+    row.push(small(point.residual));
     row.push(match point.failure {
         None => "met".to_owned(),
         Some(_) => "not met".to_owned(),
     });
     row
+}
+
+/// An error or a residual; empty if it is not known.
+fn small(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:.3e}")
+    } else {
+        String::new()
+    }
 }
 
 #[cfg(test)]
@@ -74,8 +84,9 @@ mod tests {
             remarks: Vec::new(),
         };
         let text = trim_csv(&result);
-        let expected = "mu,\"a,b\",lift,lift required,iterations,residual [-],status\n\
-                        0.2,1.5,700,701,3,2.000e-12,met\n0.2,1.5,,,3,2.000e-12,not met\n";
+        let expected = "mu,\"a,b\",lift,lift required,lift error,iterations,residual [-],\
+                        status\n0.2,1.5,700,701,-1.000e0,3,2.000e-12,met\n\
+                        0.2,1.5,,,,3,2.000e-12,not met\n";
         assert_eq!(text, expected);
     }
 }

@@ -1,5 +1,7 @@
 //! The report of a trim.
 
+use shared_geom::error::counted;
+
 use crate::input::short_number;
 use crate::output::text::aligned;
 use crate::result::{TrimPoint, TrimResult};
@@ -28,8 +30,9 @@ pub fn trim_text(result: &TrimResult) -> String {
 
 fn single(result: &TrimResult, point: &TrimPoint) -> String {
     let mut text = format!(
-        "\n{} iterations, largest residual {:.3e}\n\nControls\n",
-        point.iterations, point.residual
+        "\n{}, largest residual {:.3e}\n\nControls\n",
+        counted(point.iterations, "iteration"),
+        point.residual
     );
     for (name, value) in result.controls.iter().zip(&point.controls) {
         text.push_str(&format!("  {name} = {}\n", short_number(*value, DIGITS)));
@@ -37,9 +40,10 @@ fn single(result: &TrimResult, point: &TrimPoint) -> String {
     text.push_str("\nTargets\n");
     for (name, [found, required]) in result.targets.iter().zip(&point.targets) {
         text.push_str(&format!(
-            "  {name} = {}, required {}\n",
+            "  {name} = {}, required {}, error {:.1e}\n",
             short_number(*found, DIGITS),
-            short_number(*required, DIGITS)
+            short_number(*required, DIGITS),
+            found - required
         ));
     }
     text + "\n"

@@ -187,11 +187,11 @@ const WRONG: [(&str, &str); 5] = [
     ),
     (
         "[rotor.lag_damper]\nhub = [0, 0.1, 0]\nblade = [0.1, 0.1, 0]\ndamping = 1\non = \"lag\"",
-        "rotor \"r\" has \"on = lag\" without \"lag hinge\"",
+        "\"on\" of [rotor.lag_damper] is \"lag\", but rotor \"r\" has no lag hinge",
     ),
     (
         "[rotor.lag_damper]\nhub = [0, 0.1, 0]\nblade = [0.1, 0.1, 0]\nrates = [0, 1]\nforces = [1]",
-        "the damper has 2 rates and 1 forces, expected as many",
+        "the damper has 2 rates and 1 value under \"forces\", expected as many of each",
     ),
 ];
 

@@ -133,6 +133,22 @@ const WRONG: &[(&str, &str, &str)] = &[
     ),
     (
         "rigid",
+        "speed = 1\n[rotor.swashplate]\nindividual = []",
+        "\"individual\" is an array of 0, expected a list of drives, one per blade",
+    ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\noffset = -0.1\n",
+        "the flap hinge is at -0.1 m from the center of the hub, expected from 0 m to 0.2 m",
+    ),
+    (
+        "rigid",
+        "speed = 1\n[rotor.lag_damper]\nhub = [0, 0.1, 0]\nblade = [0.3, 0.1, 0]\non = \"lag\"\n\
+         damping = 1",
+        "\"on\" of [rotor.lag_damper] is \"lag\", but rotor \"r\" has no lag hinge",
+    ),
+    (
+        "rigid",
         "speed = 1\n[rotor.swashplate]\ncollective = 160\nplate = { below = 0.1, horn = [0, 0.1] }",
         "no position of the plate gives the pitch",
     ),
@@ -159,7 +175,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "articulated",
         "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\ndamper = { rates = [1, 0], moments = [1, 2] }",
-        "the damper has 2 rates and 2 moments",
+        "the damper has 2 rates and 2 values under \"moments\"",
     ),
 ];
 
