@@ -12,6 +12,9 @@ pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
 
+/// Numbers of the layers that continue along webs, with the webs.
+type Along<'a> = Vec<(&'a str, usize)>;
+
 /// Resolves the places of a section.
 pub(super) struct Resolver<'a> {
     layup: &'a Layup,
@@ -49,7 +52,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// The layers of the shell, and the numbers of those that continue along webs, with the webs.
-    fn layers(&self) -> Result<(Vec<Layer>, Vec<(&str, usize)>), Located> {
+    fn layers(&self) -> Result<(Vec<Layer>, Along<'_>), Located> {
         let mut layers = Vec::new();
         let mut along = Vec::new();
         for layer in self.layup.layers.iter().filter(|layer| self.has(layer)) {
