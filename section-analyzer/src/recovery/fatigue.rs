@@ -44,7 +44,7 @@ impl LoadHistory {
     /// The cycles of a linear function of the force in all histories together.
     pub fn cycles(histories: &[Self], row: &RowVector6<f64>) -> Vec<Cycle> {
         let of_one = |history: &Self| {
-            let mut counted = cycles(history.forces.iter().map(|theta| product(row, theta)));
+            let mut counted = cycles(history.forces.iter().map(|theta| (row * theta).x));
             for cycle in &mut counted {
                 cycle.count *= history.repetitions;
             }
@@ -61,7 +61,7 @@ impl LoadHistory {
             if counted.is_empty() {
                 counted.extend(history.forces.first().map(|theta| Cycle {
                     range: 0.0,
-                    mean: product(row, theta),
+                    mean: (row * theta).x,
                     count: history.repetitions,
                 }));
             }
@@ -79,12 +79,6 @@ impl LoadHistory {
         };
         histories.iter().map(of_one).sum()
     }
-}
-
-/// The product of a row and a column, several times as fast as by general matrices.
-fn product(row: &RowVector6<f64>, column: &Vector6<f64>) -> f64 {
-    let pairs = row.iter().zip(column.iter());
-    pairs.fold(0.0, |sum, (a, b)| sum + a * b)
 }
 
 /// A component of stress or strain in material axes.

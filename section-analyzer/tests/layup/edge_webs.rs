@@ -114,8 +114,9 @@ fn matrix(value: &Value) -> Matrix6<f64> {
 
 /// Source: `tests/reference/sections/README.md`, extrapolated from three meshes of ANBA4. The
 /// tolerance of the stiffness is the sum of the estimated error of this mesh and the uncertainty of
-/// the extrapolation. Mass has no such error; the ends of the skins, which the reference cuts off
-/// along the base and does not lean onto it, and the round nose, a polygon there, are left: 5e-4.
+/// the extrapolation. Mass has no such error; the ends of the skins are left, triangles of half the
+/// square of the thickness times the slope, which the reference cuts off along the base: some 3e-4 of
+/// the mass at more than twice the radius of inertia, 1e-3 of the moments of inertia.
 #[test]
 fn blade_naca_is_the_same_by_columns() {
     let json = std::fs::read_to_string(format!("{FOLDER}.json")).expect("a file");
@@ -138,7 +139,7 @@ fn blade_naca_is_the_same_by_columns() {
         made.section.mesh.nodes.len()
     );
     assert!(difference < error + uncertainty, "{difference:e}");
-    assert!(of_mass < 5e-4, "{of_mass:e}");
+    assert!(of_mass < 1e-3, "{of_mass:e}");
 }
 
 /// A NACA 0012 of chord 1 m, cut off at this part of the chord, with one layer and a web of two plies
