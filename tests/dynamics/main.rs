@@ -68,6 +68,7 @@ mod tm4760;
 mod trim;
 mod turbine_in_time;
 mod turbine_modes;
+mod turning_axes;
 mod uniform_beam;
 mod vacuum;
 mod variational_beam;

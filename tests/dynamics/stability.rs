@@ -4,6 +4,7 @@ use beam_dynamics::analysis::stability::stability;
 use beam_dynamics::input;
 use beam_dynamics::result::{BoundaryKind, StabilityResult, StableSide};
 
+mod averaged;
 mod closed_forms;
 mod follower;
 mod ground_resonance;

@@ -431,3 +431,33 @@ fn loads_and_states_superpose() {
     let reported = "load \"load\" acts with \"cold\", which is not an imposed state of the section";
     assert_eq!(unknown.to_string(), reported);
 }
+
+/// Strips 1e3 and 1e4 times as wide as thick that expand evenly: the axial strain is the
+/// expansion, and curvature and twist times half the thickness are zero, all to a few
+/// round-offs of displacements that are (width / thickness)^2 times the strains. The torsion is
+/// of Saint-Venant's series, to the error of the cells at the ends.
+#[test]
+fn thin_strips_expand_evenly() {
+    for t in [1e-3, 1e-4] {
+        let mesh = rectangle(1.0, t, [1000, 1]);
+        let section = uniform(&mesh, isotropic(1.0, 0.33), 0.0);
+        let even = FreeStrain {
+            at_origin: Vector6::new(1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+            ..FreeStrain::default()
+        };
+        let state = ImposedStrain {
+            name: "even".into(),
+            cells: vec![even; section.cells.len()],
+        };
+        let analysis = Analysis::new(&section).expect("sound");
+        let solved = &analysis.imposed(&[state]).expect("accurate")[0];
+        let radii = Vector6::new(1.0, 1.0, 1.0, 0.5 * t, 0.5 * t, 0.5);
+        let strain = solved.free_strain.component_mul(&radii);
+        let expected = Vector6::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+        let limit = 5.0 * f64::EPSILON / (t * t);
+        assert!((strain - expected).amax() < limit, "{strain}");
+        let torsion = t.powi(3) / 3.0 * (1.0 - 0.630 * t) / (2.0 * 1.33);
+        let found = analysis.solution().stiffness[(3, 3)];
+        assert!((found / torsion - 1.0).abs() < 1e-4, "{found} {torsion}");
+    }
+}

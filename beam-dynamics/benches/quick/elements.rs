@@ -28,6 +28,7 @@ impl<'a> Elements<'a> {
         let variation = Variation {
             turn: Matrix3::identity(),
             rate_by_turn: Matrix3::zeros(),
+            axes: None,
         };
         Self {
             model,

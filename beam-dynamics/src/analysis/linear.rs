@@ -14,6 +14,8 @@
 use faer::Mat;
 use nalgebra::{Complex, DMatrix};
 
+use crate::analysis::averaged::{Averaged, averaged};
+use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{NoEquilibrium, equilibrium, free_equilibrium, rpm};
 use crate::analysis::trim::{Reader, trim};
 use crate::assembly::{System, redundancy};
@@ -45,8 +47,14 @@ pub enum LinearFailure {
     /// The trim failed: reason and remedy.
     #[error("the trim failed: {}", .0[0])]
     Trim([String; 2]),
+    /// No averaged equations: reason and remedy.
+    #[error("there are no averaged equations: {}", .0[0])]
+    Period([String; 2]),
     /// Too many unknowns.
-    #[error("the model has {unknowns} unknowns, and the largest one that is possible {LARGEST}")]
+    #[error(
+        "the model has {unknowns} unknowns, expected at most {LARGEST}: states are chosen among them \
+         by full matrices"
+    )]
     Large {
         /// Their number.
         unknowns: usize,
@@ -70,8 +78,10 @@ impl LinearFailure {
             Self::Equilibrium(_) => {
                 "give the model an equilibrium: change the loads, the speed, or hold the motion"
             }
-            Self::Trim([_, remedy]) => return remedy.clone(),
-            Self::Large { .. } => "use fewer elements, or one blade",
+            Self::Trim([_, remedy]) | Self::Period([_, remedy]) => return remedy.clone(),
+            Self::Large { .. } => {
+                "use fewer elements, or one blade; modes and stability have no such limit"
+            }
             Self::Undetermined(_) => {
                 "give it mass or stiffness, or remove joints that hold the same motion twice"
             }
@@ -89,6 +99,8 @@ struct Operation<'a> {
     state: &'a State,
     conditions: Conditions,
     about: String,
+    /// The equations in multiblade coordinates, in place of those about the state.
+    averaged: Option<&'a Averaged>,
 }
 
 /// The linear model that was requested with `input`; `read` reads the file again for trims.
@@ -100,6 +112,7 @@ pub fn linearize(input: &Input, read: Reader<'_>) -> Result<LinearModel, LinearF
     let settings = input.linear.as_ref().ok_or(LinearFailure::NotRequested)?;
     let (speed, proportional) = match settings.about {
         LinearAbout::Trim => return trimmed(input, read),
+        LinearAbout::Period => return of_period(input),
         LinearAbout::Equilibrium {
             speed,
             proportional,
@@ -119,6 +132,7 @@ pub fn linearize(input: &Input, read: Reader<'_>) -> Result<LinearModel, LinearF
         state: &steady.state,
         conditions,
         about: format!("the equilibrium at {}", rpm(speed)),
+        averaged: None,
     })
 }
 
@@ -147,34 +161,73 @@ fn trimmed(input: &Input, read: Reader<'_>) -> Result<LinearModel, LinearFailure
         state: state.ok_or(LinearFailure::NotRequested)?,
         conditions,
         about: format!("the equilibrium of the trim at {}", rpm(own.speed)),
+        averaged: None,
+    })
+}
+
+/// About the periodic motion, by averaged multiblade coefficients.
+fn of_period(input: &Input) -> Result<LinearModel, LinearFailure> {
+    let both = input.periodic.as_ref().zip(input.linear.as_ref());
+    let (periodic, settings) = both.ok_or(LinearFailure::NotRequested)?;
+    let outcome = periodic_from(&input.model, periodic, None);
+    if let Some(failure) = outcome.failure {
+        return Err(LinearFailure::Period([
+            failure.to_string(),
+            failure.remedy(),
+        ]));
+    }
+    let state = outcome.state.ok_or(LinearFailure::NotRequested)?;
+    let averaged = averaged(&input.model, periodic, &state).map_err(LinearFailure::Period)?;
+    let speed = periodic.speed.unwrap_or(0.0);
+    of(&Operation {
+        model: &averaged.model,
+        settings,
+        state: &state,
+        conditions: averaged.model.conditions_at(periodic.start.from),
+        about: format!(
+            "the periodic motion at {}, in multiblade coordinates averaged over it",
+            rpm(speed)
+        ),
+        averaged: Some(&averaged),
     })
 }
 
 /// The linear model about a point of operation.
 fn of(at: &Operation<'_>) -> Result<LinearModel, LinearFailure> {
     let (state, conditions) = (at.state, &at.conditions);
-    let redundant = redundancy::find(&at.model.system, state, conditions);
+    let redundant = match at.averaged {
+        None => redundancy::find(&at.model.system, state, conditions),
+        Some(_) => Vec::new(),
+    };
     let removed: Vec<_> = redundant.iter().map(|found| found.constraint).collect();
     let system = &at.model.system.without(&removed);
     let unknowns = system.numbering().unknowns();
     if unknowns > LARGEST {
         return Err(LinearFailure::Large { unknowns });
     }
-    let tangent = system.tangent(state, conditions);
-    let rate = highest_of_a_node(&tangent, system.nodes().len()).unwrap_or(1.0);
+    let own = at
+        .averaged
+        .is_none()
+        .then(|| system.tangent(state, conditions));
+    let tangent = match (&own, at.averaged) {
+        (Some(own), _) => own,
+        (None, Some(averaged)) => &averaged.tangent,
+        (None, None) => return Err(LinearFailure::NotFinite),
+    };
+    let rate = highest_of_a_node(tangent, system.nodes().len()).unwrap_or(1.0);
     let first = system.numbering().first_scalar();
     let places = at
         .settings
         .inputs
         .iter()
         .map(|port| first + index(system, port));
-    let mut augmented = Augmented::new(&tangent, unknowns, places.collect());
+    let mut augmented = Augmented::new(tangent, unknowns, places.collect());
     let found = loop {
-        match minimal(&augmented.descriptor(&tangent), rate) {
+        match minimal(&augmented.descriptor(tangent), rate) {
             Ok(found) => break found,
             Err(NotMinimal::NotFinite) => return Err(LinearFailure::NotFinite),
             Err(NotMinimal::Undetermined(index)) => {
-                let name = named(index, (&augmented, at.settings), system).to_string();
+                let name = named(index, &augmented, at, system).to_string();
                 return Err(LinearFailure::Undetermined(name));
             }
             Err(NotMinimal::Prescribed(input)) if augmented.integrate(input) => {}
@@ -201,20 +254,26 @@ fn index(system: &System, port: &LinearPort) -> usize {
 }
 
 /// The name of an unknown of the augmented equations.
-fn named(
-    unknown: usize,
-    (augmented, settings): (&Augmented, &LinearSettings),
-    system: &System,
-) -> Name {
+fn named(unknown: usize, augmented: &Augmented, at: &Operation<'_>, system: &System) -> Name {
     match augmented.integral(unknown) {
         Some((input, order)) => {
-            let port = &settings.inputs[input];
+            let port = &at.settings.inputs[input];
             Name::of_system(
                 inputs::words(&port.name, order),
                 inputs::unit(&port.unit, order),
             )
         }
-        None => system.unknown(augmented.origin(unknown)),
+        None => {
+            let origin = augmented.origin(unknown);
+            let coordinate = at.averaged.and_then(|own| own.coordinate(origin));
+            match coordinate {
+                Some((first, word)) => {
+                    let name = system.unknown(first);
+                    Name::of_system(format!("{word} of {name}"), name.unit.to_string())
+                }
+                None => system.unknown(origin),
+            }
+        }
     }
 }
 
@@ -266,7 +325,7 @@ fn variables(
     let settings = at.settings;
     let value = |port: &LinearPort| at.state.scalars.get(index(system, port)).copied();
     let state = |state: &DescriptorState| {
-        let name = named(state.unknown, (augmented, settings), system);
+        let name = named(state.unknown, augmented, at, system);
         let part = if state.is_part {
             "part with rate of "
         } else {

@@ -51,6 +51,9 @@ pub fn stability(
         method: match settings.method {
             StabilityMethod::Modes => "eigenvalues about the equilibrium of the turning frame",
             StabilityMethod::Floquet => "multipliers of the periodic motion",
+            StabilityMethod::Averaged => {
+                "eigenvalues of multiblade coefficients averaged over the periodic motion"
+            }
         },
         parameter: settings.sweep.parameter.clone(),
         requested,

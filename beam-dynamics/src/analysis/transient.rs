@@ -48,13 +48,14 @@ use diagnosis::trouble;
 use effort::effort;
 use energy::{EnergyWatch, Finding};
 pub(in crate::analysis) use multibody::Multibody;
+pub(in crate::analysis) use rates::consistent_rates;
 pub(in crate::analysis) use redundant::independent;
 use singular::Passed;
 pub(in crate::analysis) use start::{Started, start};
 use turning::Turns;
 
-/// Rotation of a node in a step above which a remark is given \[rad\]: the relative error of the
-/// rotation formula is then half a percent.
+/// Rotation of a node in a step, relative to the axes in which it is integrated, above which a remark
+/// is given \[rad\]: the relative error of the rotation formula is then half a percent.
 const FAR_TURN: f64 = 0.3;
 
 /// Rotation of a node in a step above which a remark is given \[rad\]: with two steps of a radius
@@ -252,6 +253,7 @@ fn resume<'a>(
     let states = snapshot::states(model, snapshot)?;
     let mut run = run(model, settings, states)?;
     run.integrator.restore(&snapshot.progress);
+    run.dae.begin_step(snapshot.progress.length);
     run.step = snapshot.step;
     run.energy = EnergyWatch::new(model, settings, &run.dae, &run.conditions());
     run.output_time = snapshot.output_time;
@@ -394,8 +396,7 @@ impl Run<'_> {
         if self.far_turn.is_some() {
             return;
         }
-        let nodes = self.dae.state().nodes.iter();
-        let turns = nodes.map(|node| length * node.angular_velocity.norm());
+        let turns = self.dae.turns().map(|speed| length * speed);
         let farthest = farthest_turn(&self.settings.scheme);
         let far = turns.enumerate().find(|(_, turn)| *turn > farthest);
         let time = self.integrator.time();

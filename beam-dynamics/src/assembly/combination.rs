@@ -44,11 +44,12 @@ impl<'a> Combination<'a> {
     }
 }
 
-/// Rotation of a node by the unknowns of a formula: with u the Gibbs-Rodrigues parameters of its
-/// correction and u' their rate,
+/// Motion of a node by the unknowns of a formula: with u the Gibbs-Rodrigues parameters of its
+/// correction, xi another of its vectors, u' and xi' their rates,
 ///
 /// ```text
 /// theta = G du          d omega = G du' + W du
+/// dx    = U dxi         dv      = U dxi' + S dxi          and the same for the momenta
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variation {
@@ -56,4 +57,6 @@ pub struct Variation {
     pub turn: Matrix3<f64>,
     /// W [1/s].
     pub rate_by_turn: Matrix3<f64>,
+    /// U and S [1/s]; `None` if U is the identity and S is zero.
+    pub axes: Option<[Matrix3<f64>; 2]>,
 }

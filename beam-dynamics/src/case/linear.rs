@@ -14,6 +14,8 @@ pub enum LinearAbout {
     },
     /// The equilibrium of the trim.
     Trim,
+    /// The periodic motion, in multiblade coordinates averaged over it.
+    Period,
 }
 
 /// An input or an output.

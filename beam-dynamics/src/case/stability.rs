@@ -9,6 +9,8 @@ pub enum StabilityMethod {
     Modes,
     /// Multipliers of the periodic motion.
     Floquet,
+    /// Eigenvalues of the equations in multiblade coordinates, averaged over the period of the motion.
+    Averaged,
 }
 
 /// The requested stability.

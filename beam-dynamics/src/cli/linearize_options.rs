@@ -17,6 +17,8 @@ pub(super) enum AboutWord {
     Static,
     /// Of [trim]
     Trim,
+    /// The motion of [periodic], in multiblade coordinates averaged over it
+    Periodic,
 }
 
 /// Files, inputs, outputs and the equilibrium.
@@ -51,6 +53,7 @@ impl LinearizeOptions {
                 AboutWord::Modes => LinearChoice::Modes,
                 AboutWord::Static => LinearChoice::Static,
                 AboutWord::Trim => LinearChoice::Trim,
+                AboutWord::Periodic => LinearChoice::Periodic,
             }),
         }
     }

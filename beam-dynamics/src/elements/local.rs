@@ -389,18 +389,17 @@ impl LocalJacobian {
         sums.zip(values).for_each(|(sum, value)| *sum += value);
     }
 
-    /// Converts the derivatives by the rotation and angular velocity of a node into derivatives by
-    /// u and u', with `theta = turn du`, `d omega = turn du' + rate_by_turn du`; `touched` are the
-    /// entries in the first of these columns, next to which are the other columns' entries.
+    /// Converts the derivatives by a vector of a node and by its rate into derivatives by u and u',
+    /// with `theta = turn du`, `d omega = turn du' + rate_by_turn du` for a rotation; `touched` are
+    /// the entries in the first of these columns, next to which are the other columns' entries.
     pub fn turn(
         &mut self,
-        node: usize,
+        (node, vector): (usize, Variable),
         touched: &[LocalRun],
-        turn: &Matrix3<f64>,
-        rate_by_turn: &Matrix3<f64>,
+        [turn, rate_by_turn]: &[Matrix3<f64>; 2],
     ) {
         let n = self.by_unknowns.nrows();
-        let first = n * (NODE_UNKNOWNS * node + Variable::Rotation.column());
+        let first = n * (NODE_UNKNOWNS * node + vector.column());
         let still = *turn == Matrix3::identity();
         let theta = self.by_unknowns.as_mut_slice();
         if !still {

@@ -251,6 +251,14 @@ fn about(request: &LinearRequest, analyses: &mut Analyses) -> Result<LinearAbout
             _ => Err(LinearProblem::PeriodicTrim),
         };
     }
+    if request.about == Some(LinearChoice::Periodic) {
+        let speed = analyses.periodic.as_ref().and_then(|own| own.speed);
+        return match (&analyses.periodic, speed, request.speed) {
+            (None, ..) => Err(LinearProblem::Missing(LinearChoice::Periodic)),
+            (_, Some(_), None) => Ok(LinearAbout::Period),
+            _ => Err(LinearProblem::SpeedOfPeriod),
+        };
+    }
     let of_modes = analyses.modes.as_ref().map(|modes| modes.speeds.as_slice());
     let of_static = analyses.statics.as_ref().map(|own| [own.speed, own.to]);
     let choice = request.about.or(match (of_modes, of_static) {

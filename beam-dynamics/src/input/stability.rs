@@ -20,9 +20,9 @@ const SAME: f64 = 1e-12;
 keys! {
     /// Roots over a parameter: growth, frequency, and the boundaries of stability.
     pub(super) STABILITY = "[stability]";
-    /// Small motions about the equilibrium of `[modes]` or about the periodic motion of
-    /// `[periodic]`.
-    BY: usize = "by", [Word(&["modes", "Floquet"])], or "\"modes\"" = 0, "\"Floquet\"";
+    /// Small motions about the equilibrium of `[modes]`, or about the periodic motion of
+    /// `[periodic]`: by its multipliers, or by multiblade coefficients averaged over it.
+    BY: usize = "by", [Word(&["modes", "Floquet", "averaged"])], or "\"modes\"" = 0, "\"Floquet\"";
     /// Whether to search the boundaries of stability between the values.
     BOUNDARIES: bool = "boundaries", [Boolean], or "true" = true, "false";
     /// Largest error of a boundary, as a part of the range of the values.
@@ -61,6 +61,9 @@ pub enum StabilityProblem {
         /// Of `[trim]` [rad/s].
         trim: f64,
     },
+    /// Multiblade coordinates without a speed of the rotor.
+    #[error("\"by\" is \"averaged\", but [periodic] has no \"speed\" of a rotor")]
+    NoSpeed,
     /// Values that turn back, or a single one.
     #[error(
         "the values are {first} and then {second}, expected values that all increase or all decrease"
@@ -97,6 +100,7 @@ impl Explain for StabilityProblem {
             }
             Self::OtherSpeed { .. } => "write one speed in both, or one parameter for both",
             Self::NotInOrder { .. } => "sort the values, and write each once",
+            Self::NoSpeed => "write the \"speed\" of the rotor in place of \"period\"",
             Self::OneValue => "add a value, or use the command modes or periodic",
             Self::Control { .. } => {
                 "remove the control and its target, or choose another parameter"
@@ -126,7 +130,11 @@ pub(super) fn read(root: &Table<'_>, others: Others<'_>) -> Option<Option<Stabil
     table.finish();
     let settings = StabilitySettings {
         sweep: sweep?,
-        method: [StabilityMethod::Modes, StabilityMethod::Floquet][by?],
+        method: [
+            StabilityMethod::Modes,
+            StabilityMethod::Floquet,
+            StabilityMethod::Averaged,
+        ][by?],
         boundaries: boundaries?,
         tolerance: tolerance?,
         count: count?,
@@ -167,6 +175,11 @@ fn of_others(
     match (settings.method, others.modes, others.periodic) {
         (StabilityMethod::Floquet, _, None) => missing("Floquet", "periodic"),
         (StabilityMethod::Floquet, ..) => None,
+        (StabilityMethod::Averaged, _, None) => missing("averaged", "periodic"),
+        (StabilityMethod::Averaged, _, Some(periodic)) => periodic
+            .speed
+            .is_none()
+            .then_some((BY.name(), StabilityProblem::NoSpeed)),
         (StabilityMethod::Modes, None, _) => missing("modes", "modes"),
         (StabilityMethod::Modes, Some(modes), _) => {
             let &[speed] = &modes.speeds[..] else {

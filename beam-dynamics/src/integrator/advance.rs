@@ -56,7 +56,7 @@ pub struct Progress {
     /// The effort so far.
     pub counters: Counters,
     /// Length of the last step; zero before the first [s].
-    length: f64,
+    pub length: f64,
     /// Previous states with reliable rates: 0 to 2.
     known: usize,
     /// The corner just after which the system must be renewed.
@@ -227,15 +227,15 @@ impl Integrator {
         for rates in [&mut *now, before, after] {
             rates.resize(n, 0.0);
         }
-        dae.past(0, &mut self.predicted, now);
+        dae.past(0.0, &mut self.predicted, now);
         self.progress.known = match dae.renew(&corner, self.progress.lengths.wish) {
             Renewal::Smooth => return,
             Renewal::Unknown => 0,
             Renewal::Velocities => 1,
             Renewal::Rates => {
-                dae.past(0, &mut self.predicted, after);
+                dae.past(0.0, &mut self.predicted, after);
                 if self.progress.known > 1 {
-                    dae.past(1, &mut self.predicted, before);
+                    dae.past(self.progress.length, &mut self.predicted, before);
                     if !is_jump([before, now, after]) {
                         return;
                     }
@@ -287,9 +287,13 @@ impl Integrator {
     /// Predicts the rates of all stages, and their changes by (D-100).
     fn predict(&mut self, dae: &mut dyn Dae, formula: &Formula, plan: &Plan) {
         let (past, length) = (&mut self.past, plan.length);
-        dae.past(0, &mut past.before, &mut past.latest_rates);
+        dae.past(0.0, &mut past.before, &mut past.latest_rates);
         if self.progress.known > 1 {
-            dae.past(1, &mut past.before, &mut past.rates_before);
+            dae.past(
+                self.progress.length,
+                &mut past.before,
+                &mut past.rates_before,
+            );
         }
         let ratio = length / self.progress.length;
         let has_cubic = self.progress.known > 1 && ratio <= REACH;
@@ -307,12 +311,13 @@ impl Integrator {
         }
         for stage in 0..formula.stages {
             self.predict_changes(dae.algebraic(), formula, stage, length);
+            let since = (1.0 + formula.positions[stage]) * length;
             let time = match formula.positions[stage] < 0.0 {
-                true => self.progress.time + (1.0 + formula.positions[stage]) * length,
+                true => self.progress.time + since,
                 // At a corner, the conditions before it.
                 false => plan.corner.map_or(plan.end, |corner| corner.before),
             };
-            dae.predict(stage, time, &self.predicted, &self.rates[stage]);
+            dae.predict(stage, [time, since], &self.predicted, &self.rates[stage]);
         }
         std::mem::swap(&mut self.end, &mut self.predicted);
     }

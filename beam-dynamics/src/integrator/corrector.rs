@@ -53,7 +53,7 @@ const CHANGED: f64 = 0.1;
 /// Size above which a correction leads to another solution [sizes of the system, or rad].
 const BEYOND_REASON: f64 = 10.0;
 
-/// Growth of corrections that means divergence if it occurs twice.
+/// Growth of corrections, beyond the first one, that means divergence if it occurs twice.
 const GROWTH: f64 = 2.0;
 
 /// Initial capacity of the history of an iteration.
@@ -432,8 +432,12 @@ impl Corrector {
     /// Whether the iteration must restart with a new Jacobian.
     fn leads_astray(&self, size: f64) -> Result<bool, Reason> {
         let is_kept = self.kept.is_some_and(|kept| !kept.is_of_this_step);
-        let grows = |pair: &&[Iteration]| pair[1].correction > GROWTH * pair[0].correction;
-        let growths = self.history[self.first..].windows(2).filter(grows).count();
+        let history = &self.history[self.first..];
+        let first = history.first().map_or(0.0, |first| first.correction);
+        // Corrections may alternate while they become smaller.
+        let grows =
+            |pair: &&[Iteration]| pair[1].correction > first.max(GROWTH * pair[0].correction);
+        let growths = history.windows(2).filter(grows).count();
         let is_astray = !size.is_finite() || size > BEYOND_REASON;
         if is_kept {
             let is_slow = self.shrinking().is_some_and(|theta| theta >= 1.0);

@@ -47,9 +47,9 @@ pub trait Dae {
     /// Whether each unknown is algebraic: a multiplier, without rate.
     fn algebraic(&self) -> &[bool];
 
-    /// The accepted state `back` (0 or 1) steps before the latest: its change from the latest, and
-    /// its rates. For 0 the changes are zero; 1 is requested after a step.
-    fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]);
+    /// The latest accepted state, for zero, or the one before it, for the length of the step between
+    /// them `ago` \[s\]: its change from the latest, which is zero for the latest, and its rates.
+    fn past(&self, ago: f64, y: &mut [f64], rates: &mut [f64]);
 
     /// Makes the latest accepted state consistent with the conditions just after a corner: the
     /// rates of momenta and the multipliers, which jump with forces, and the velocities, which jump
@@ -59,9 +59,9 @@ pub trait Dae {
         Renewal::Unknown
     }
 
-    /// Sets trial state `stage` (0 to 2) at `time` \[s\] from a prediction of its change from the
-    /// latest accepted state, and of its rates.
-    fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]);
+    /// Sets trial state `stage` (0 to 2), with the conditions of a time and the time since the latest
+    /// accepted state \[s\], from a prediction of its change from that state, and of its rates.
+    fn predict(&mut self, stage: usize, times: [f64; 2], y: &[f64], rates: &[f64]);
 
     /// Moves trial state `stage` from its prediction by the total corrections so far.
     fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]);

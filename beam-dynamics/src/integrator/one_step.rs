@@ -88,16 +88,13 @@ impl OneStep {
         let length = to - from;
         for stage in 0..self.formula.stages {
             let position = self.formula.positions[stage];
-            let time = if position < 0.0 {
-                from + (1.0 + position) * length
-            } else {
-                last
-            };
-            dae.predict(stage, time, &self.zero, &self.zero);
+            let since = (1.0 + position) * length;
+            let time = if position < 0.0 { from + since } else { last };
+            dae.predict(stage, [time, since], &self.zero, &self.zero);
         }
         let mut changes = std::mem::take(&mut self.guess);
         let mut rates = vec![0.0; changes.len()];
-        dae.past(0, &mut changes, &mut rates);
+        dae.past(0.0, &mut changes, &mut rates);
         let algebraic = dae.algebraic().iter();
         let of_algebraic = rates.iter_mut().zip(algebraic).filter(|(_, is)| **is);
         of_algebraic.for_each(|(rate, _)| *rate = 0.0);

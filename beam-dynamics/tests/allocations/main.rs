@@ -68,6 +68,7 @@ fn an_iteration_allocates_nothing() {
         Variation {
             turn: Matrix3::identity(),
             rate_by_turn: Matrix3::zeros(),
+            axes: None,
         };
         system.nodes().len()
     ];

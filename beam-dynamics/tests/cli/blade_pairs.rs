@@ -185,7 +185,7 @@ fn words_and_units_of_blade_files_are_options() {
         "--frequency-unit",
         "rpm",
         "--count",
-        "6",
+        "4",
     ];
     let run = folder.run(&[&["modes", "a.csv", "--words", "wind"][..], &options].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));

@@ -1,7 +1,7 @@
 //! Several files of one command: run in parallel, reported one after the other.
 
 use std::fs::{self, File};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use super::loads::{ARCH, STRIP};
@@ -24,26 +24,44 @@ fn without_times(text: &str) -> String {
     kept.collect()
 }
 
-/// Runs `command` on `files` with some threads; returns both streams, and both as written
-/// to one file.
-fn run(folder: &Folder, command: &str, files: &[&str], threads: &str) -> (Run, String) {
+/// `command` on `files` with some threads.
+fn prepared(folder: &Folder, command: &str, files: &[&str], threads: &str) -> Command {
     let arguments: Vec<_> = [command].into_iter().chain(files.iter().copied()).collect();
-    let prepared = || {
-        let mut prepared = folder.command(&arguments);
-        prepared.env("RAYON_NUM_THREADS", threads);
-        prepared
-    };
-    let output = prepared().output().unwrap();
-    let apart = Run {
+    let mut prepared = folder.command(&arguments);
+    prepared.env("RAYON_NUM_THREADS", threads);
+    prepared
+}
+
+/// Runs `command` on `files` with some threads; returns both streams.
+fn apart(folder: &Folder, command: &str, files: &[&str], threads: &str) -> Run {
+    let output = prepared(folder, command, files, threads).output().unwrap();
+    Run {
         code: output.status.code().unwrap(),
         out: without_times(&String::from_utf8(output.stdout).unwrap()),
         err: String::from_utf8(output.stderr).unwrap(),
-    };
+    }
+}
+
+/// The same with both streams written to one file: the code, and the file.
+fn together(
+    folder: &Folder,
+    command: &str,
+    files: &[&str],
+    threads: &str,
+) -> (Option<i32>, String) {
     let both = File::create(folder.path("both.txt")).unwrap();
-    let mut together = prepared();
+    let mut together = prepared(folder, command, files, threads);
     together.stdout(both.try_clone().unwrap()).stderr(both);
-    assert_eq!(together.status().unwrap().code(), Some(apart.code));
-    (apart, without_times(&folder.read("both.txt")))
+    let code = together.status().unwrap().code();
+    (code, without_times(&folder.read("both.txt")))
+}
+
+/// Both streams, and both in one file.
+fn run(folder: &Folder, command: &str, files: &[&str], threads: &str) -> (Run, String) {
+    let apart = apart(folder, command, files, threads);
+    let (code, together) = together(folder, command, files, threads);
+    assert_eq!(code, Some(apart.code));
+    (apart, together)
 }
 
 /// Files of which the first takes longest and the middle one ends early, with the expected
@@ -99,22 +117,24 @@ fn what_is_printed_does_not_depend_on_the_number_of_threads() {
         for (file, text) in FILES.iter().zip(&texts) {
             folder.write(file, text);
         }
-        let alone = FILES.map(|file| run(&folder, command, &[file], "1").0);
+        let alone = FILES.map(|file| apart(&folder, command, &[file], "1"));
         let codes = alone.each_ref().map(|run| run.code);
         assert_eq!(codes, [0, 1, 0], "{command}: {}", alone[1].err);
         assert!(alone[1].err.contains(reported), "{}", alone[1].err);
         let out = alone.each_ref().map(|run| run.out.as_str()).join("\n\n");
-        let (one, together) = run(&folder, command, &FILES, "1");
+        let (one, in_one_file) = run(&folder, command, &FILES, "1");
         assert_eq!((one.code, one.err.as_str()), (1, alone[1].err.as_str()));
         assert_eq!(one.out, out, "{command}");
-        for threads in ["2", "3"] {
-            fs::remove_dir_all(folder.path("results")).unwrap();
-            let (more, reported_together) = run(&folder, command, &FILES, threads);
-            assert_eq!((more.code, &more.err), (1, &one.err), "{command}");
-            assert_eq!(more.out, one.out, "{command}");
-            assert_eq!(reported_together, together, "{command}");
-            assert!(folder.path("results").is_dir());
-        }
+        // Each stream with two threads; with three threads also the order of both.
+        fs::remove_dir_all(folder.path("results")).unwrap();
+        let more = apart(&folder, command, &FILES, "2");
+        assert_eq!((more.code, &more.err), (1, &one.err), "{command}");
+        assert_eq!(more.out, one.out, "{command}");
+        assert!(folder.path("results").is_dir());
+        fs::remove_dir_all(folder.path("results")).unwrap();
+        let reported = together(&folder, command, &FILES, "3");
+        assert_eq!(reported, (Some(1), in_one_file), "{command}");
+        assert!(folder.path("results").is_dir());
     }
 }
 

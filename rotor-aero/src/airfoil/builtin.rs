@@ -100,10 +100,7 @@ mod tests {
     use crate::airfoil::{Airfoil, Flow};
 
     fn reference(name: &str) -> String {
-        let folder = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/theory-rotor/"
-        );
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/theory-rotor/");
         std::fs::read_to_string(format!("{folder}{name}")).unwrap()
     }
 

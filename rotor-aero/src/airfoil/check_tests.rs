@@ -233,10 +233,7 @@ fn ends_are_closed_and_equal() {
 
 /// The table of the NREL 5 MW turbine with this name.
 fn nrel(name: &str) -> AirfoilData {
-    let folder = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/nrel5mw/"
-    );
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/aero/nrel5mw/");
     let text = std::fs::read_to_string(format!("{folder}polar_{name}.csv")).unwrap();
     let lines = text.lines().filter(|line| !line.starts_with(['#', 'a']));
     let rows: Vec<Vec<f64>> = lines

@@ -228,7 +228,7 @@ mod tests {
     fn reference() -> Value {
         let path = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/aero/theory/du_selig.json"
+            "/tests/reference/aero/theory/du_selig.json"
         );
         serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
     }

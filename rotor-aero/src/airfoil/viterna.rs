@@ -313,7 +313,7 @@ mod tests {
     fn reference() -> Value {
         let path = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/aero/theory/viterna.json"
+            "/tests/reference/aero/theory/viterna.json"
         );
         serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
     }

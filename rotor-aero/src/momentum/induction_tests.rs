@@ -23,7 +23,7 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn factors_of_published_formulas() {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/theory/high_induction.json"
+        "/tests/reference/aero/theory/high_induction.json"
     );
     let text = std::fs::read_to_string(path).expect("the reference file");
     let data: Value = serde_json::from_str(&text).expect("JSON");

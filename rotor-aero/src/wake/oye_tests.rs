@@ -8,7 +8,7 @@ use super::*;
 fn reference() -> Value {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/theory/dynamic_inflow.json"
+        "/tests/reference/aero/theory/dynamic_inflow.json"
     );
     let text = std::fs::read_to_string(path).expect("the reference file");
     serde_json::from_str(&text).expect("JSON")

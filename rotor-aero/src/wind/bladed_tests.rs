@@ -9,7 +9,7 @@ use super::*;
 fn folder() -> PathBuf {
     PathBuf::from(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/boxes"
+        "/tests/reference/aero/boxes"
     ))
 }
 

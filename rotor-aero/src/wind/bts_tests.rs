@@ -10,7 +10,7 @@ use crate::wind::TurbulenceBox;
 fn folder() -> PathBuf {
     PathBuf::from(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/boxes"
+        "/tests/reference/aero/boxes"
     ))
 }
 

@@ -197,7 +197,7 @@ mod tests {
     fn reference() -> (serde_json::Value, IecTurbine) {
         let path = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/aero/theory/iec_gusts.json"
+            "/tests/reference/aero/theory/iec_gusts.json"
         );
         let json: serde_json::Value =
             serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();

@@ -45,7 +45,7 @@ fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) {
 fn reference_points() {
     let folder = PathBuf::from(concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/boxes"
+        "/tests/reference/aero/boxes"
     ));
     let file = read_bts(&folder.join("own.bts"), None).unwrap();
     let mut grid = *file.grid();

@@ -119,7 +119,10 @@ impl LargeStrain {
         for ((point, nodes, law), free) in self.points.iter().zip(&self.imposed) {
             let (f, _) = gradient(p, point, nodes, warping);
             let stress = law * (green(&f) - free);
-            let mut columns: Vec<(usize, Columns, Vector6<f64>)> = Vec::new();
+            let tensor = tensor(&stress);
+            let count = 3 * nodes.len();
+            let [mut varied, mut stressed] = [(); 2].map(|()| DMatrix::zeros(15, count));
+            let mut rows = Vec::new();
             for (i, &node) in nodes.iter().enumerate() {
                 for axis in 0..3 {
                     let e = Vector3::ith(axis, 1.0);
@@ -128,16 +131,19 @@ impl LargeStrain {
                         e * point.dy[i],
                         e * point.dz[i],
                     ];
-                    columns.push((3 * node as usize + axis, by, variation(&f, &by)));
+                    let (row, column) = (3 * node as usize + axis, rows.len());
+                    let strain = variation(&f, &by);
+                    right[row] -= point.area * stress.dot(&strain);
+                    let by = Matrix3::from_columns(&by);
+                    set_column(&mut varied, column, &strain, &by);
+                    set_column(&mut stressed, column, &(law * strain), &(by * tensor));
+                    rows.push(row);
                 }
             }
-            for (row, by, strain) in &columns {
-                right[*row] -= point.area * stress.dot(strain);
-                for (column, other, other_strain) in &columns {
-                    let mixed = Matrix3::from_columns(other);
-                    let geometric = stress.dot(&variation(&mixed, by));
-                    matrix[(*row, *column)] +=
-                        point.area * (strain.dot(&(law * other_strain)) + geometric);
+            let of_point = point.area * varied.transpose() * stressed;
+            for (i, row) in rows.iter().enumerate() {
+                for (j, column) in rows.iter().enumerate() {
+                    matrix[(*row, *column)] += of_point[(i, j)];
                 }
             }
         }
@@ -153,6 +159,19 @@ impl LargeStrain {
         let step = all.rows(0, unknowns).into_owned();
         let size = step.amax();
         (step, size)
+    }
+}
+
+/// Stress of order yz yy zz xx xy xz as a tensor.
+fn tensor(s: &Vector6<f64>) -> Matrix3<f64> {
+    Matrix3::new(s[3], s[4], s[5], s[4], s[1], s[0], s[5], s[0], s[2])
+}
+
+/// Writes six and nine numbers in a column.
+fn set_column(of: &mut DMatrix<f64>, column: usize, six: &Vector6<f64>, nine: &Matrix3<f64>) {
+    let numbers = six.iter().chain(nine);
+    for (entry, number) in of.column_mut(column).iter_mut().zip(numbers) {
+        *entry = *number;
     }
 }
 

@@ -183,8 +183,13 @@ fn the_table_begins_the_energy_of_large_strain() {
             (even - large.force(&difference) - large.force(&-difference)) / (4.0 * h * h)
         }
     };
-    let table: [[Vector4<f64>; 4]; 4] =
-        std::array::from_fn(|j| std::array::from_fn(|k| mixed(j, k)));
+    let mut table = [[Vector4::zeros(); 4]; 4];
+    for j in 0..4 {
+        for k in j..4 {
+            table[j][k] = mixed(j, k);
+            table[k][j] = table[j][k];
+        }
+    }
     let found = CubicTable::from_fn(|[i, j, k]| table[j][k][i]);
     let error = difference(&section, &expected, &found);
     let without = difference(&section, &own, &found);

@@ -73,11 +73,6 @@ pub(crate) fn coupled_rectangle(kind: CellKind) -> Section {
     of_cells(mesh, ElasticLaw::Orthotropic(PLY))
 }
 
-/// A strip of isotropic material with unit modulus, of one layer of quadratic cells.
-pub(crate) fn strip(width: f64, height: f64, cells: usize) -> Section {
-    strip_of(width, height, [cells, 1], CellKind::Quadrilateral8)
-}
-
 /// A strip of isotropic material with unit modulus, with these cells along and through it.
 pub(crate) fn strip_of(width: f64, height: f64, cells: [usize; 2], kind: CellKind) -> Section {
     let mesh = Rectangle {

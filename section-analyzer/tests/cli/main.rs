@@ -13,7 +13,6 @@ mod blade_report;
 mod compare;
 mod curvature;
 mod distributed;
-#[expect(dead_code, reason = "numbers of random cases are for other suites")]
 #[path = "../../../tests/common/effort.rs"]
 mod effort;
 mod electric;

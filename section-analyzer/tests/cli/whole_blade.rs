@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 use shared_geom::exchange;
 
+use crate::effort;
 use crate::workplace::{Run, Workplace};
 
 /// A blade of 5 m with few cells. Lines are counted in the tests.
@@ -466,14 +467,15 @@ fn damaged(random: &mut Random) -> String {
     }
 }
 
-/// 200 damaged files: done, or refused with a message that names the file; nothing panics, and a
+/// A hundred damaged files: done, or refused with a message that names the file; nothing panics, and a
 /// file that is refused makes no blade.
 #[test]
 fn damaged_files_are_solved_or_refused() {
     let mut random = Random(77);
     let workplace = Workplace::new();
     let (mut solved, mut refused) = (0, 0);
-    for number in 0..200 {
+    let count = effort::cases(100);
+    for number in 0..count {
         workplace.write("a.layup.toml", &damaged(&mut random));
         let run = blade(&workplace, &["--stations", "0.1,0.7", "--no-figures"]);
         match run.code {
@@ -493,5 +495,8 @@ fn damaged_files_are_solved_or_refused() {
         assert!(run.code != 1 || !exists, "{number}");
     }
     println!("{solved} solved, {refused} refused");
-    assert!(solved > 10 && refused > 100, "{solved} {refused}");
+    assert!(
+        20 * solved > count && 2 * refused > count,
+        "{solved} {refused}"
+    );
 }

@@ -14,6 +14,7 @@ mod prevabs;
 mod prevabs_files;
 mod random;
 mod sections;
+mod shapes;
 mod spars;
 mod stations;
 mod windio;

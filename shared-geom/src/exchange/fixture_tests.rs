@@ -11,7 +11,7 @@ use super::text::from_upper;
 use super::{Format, Options, Reading, read_with};
 
 fn fixture(name: &str) -> PathBuf {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/exchange");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/exchange");
     Path::new(folder).join(name)
 }
 

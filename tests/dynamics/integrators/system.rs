@@ -92,7 +92,8 @@ impl<E: Equations> Dae for System<E> {
         E::ALGEBRAIC
     }
 
-    fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]) {
+    fn past(&self, ago: f64, y: &mut [f64], rates: &mut [f64]) {
+        let back = usize::from(ago > 0.0);
         let state = [&self.latest, &self.before][back];
         rates.copy_from_slice(&state.rates);
         for i in 0..y.len() {
@@ -109,7 +110,7 @@ impl<E: Equations> Dae for System<E> {
         }
     }
 
-    fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
+    fn predict(&mut self, stage: usize, [time, _]: [f64; 2], y: &[f64], rates: &[f64]) {
         let trial = &mut self.trials[stage];
         trial.time = time;
         trial.predicted.rates.copy_from_slice(rates);

@@ -16,6 +16,7 @@ use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::clamped;
 use beam_dynamics::elements::loads::{NodalForce, NodalLoad};
 use beam_dynamics::model::{Conditions, Equation, Node, State, Variable};
+use beam_dynamics::solver::eigenvalues_of;
 use nalgebra::{DMatrix, Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 
 use super::{mass, matrix, numbers, reference, stiffness, vector};
@@ -159,7 +160,7 @@ impl Line {
             .unwrap()
             .transpose();
         let (mut omega, mut worst) = (Vec::new(), 0.0_f64);
-        for square in whole.complex_eigenvalues().iter() {
+        for square in eigenvalues_of(whole.as_slice()) {
             // s^2 = - omega^2
             let s = (-square).sqrt();
             worst = worst.max(s.re.abs() / s.norm());

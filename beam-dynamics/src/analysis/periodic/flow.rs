@@ -46,7 +46,7 @@ impl<'a> Flow<'a> {
     pub fn new(model: &'a Model, settings: &PeriodicSettings, steps: usize, state: &State) -> Self {
         let stages = settings.stages();
         let mut dae = Multibody::new(model, [state.clone(), state.clone()], (stages, false));
-        dae.in_space();
+        dae.in_kept_axes(settings.start.from);
         let step = OneStep::new(&dae, settings.three_stages, settings.start.newton);
         Self {
             model,
@@ -100,6 +100,7 @@ impl<'a> Flow<'a> {
         } else {
             end
         };
+        self.dae.begin_step_at(begin);
         let iterations = self.step.converge(&mut self.dae, [begin, end], last)?;
         Ok((length, iterations))
     }

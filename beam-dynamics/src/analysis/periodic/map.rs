@@ -5,8 +5,11 @@
 //!
 //! ```text
 //! sum_j (h a_ij F_xi + delta_ij F_K) dK_j + F_lambda d lambda_i = -F_y d_{n-1}
-//! d_n = d_{n-1} + h sum_j a_sj dK_j ,     theta_n = G(g_s) dg_s + R(g_s) theta_{n-1}   (D-201)
+//! d_n = U ( d_{n-1} + h sum_j a_sj dK_j ) ,
+//! theta_n = G(u_s) U dg_s + R(u_s) U theta_{n-1}                                       (D-201)
 //! ```
+//!
+//! with the rotation U of the axes in which a node is integrated.
 //!
 //! Redundant coordinates and constraints need no projection: two steps map all n directions onto a
 //! space of the dimension of the true states, so that the map of a period has the multipliers of the
@@ -25,8 +28,8 @@ pub(super) struct StepMap {
     pub factors: Factorization,
     /// `F_y` of each stage by the first state of the step.
     pub by_base: Vec<Sparse>,
-    /// G and R of each node at the end.
-    pub carried: Vec<[Matrix3<f64>; 2]>,
+    /// G U, R U and U of each node at the end.
+    pub carried: Vec<[Matrix3<f64>; 3]>,
     /// `h a_sj` of the end [s].
     pub weights: Vec<f64>,
 }
@@ -66,15 +69,20 @@ impl StepMap {
             let own = &rates[stages * i..stages * (i + 1)];
             own.iter().zip(&self.weights).map(|(k, w)| k * w).sum()
         };
-        for (node, [tangent, rotation]) in self.carried.iter().enumerate() {
-            let first = NODE_UNKNOWNS * node + 3;
-            let theta = Vector3::from_column_slice(&d[first..first + 3]);
-            let turn = Vector3::new(change(first), change(first + 1), change(first + 2));
-            // The sum below adds the change itself.
-            let later = tangent * turn + rotation * theta - turn;
-            d[first..first + 3].copy_from_slice(later.as_slice());
+        for (node, [tangent, rotation, axes]) in self.carried.iter().enumerate() {
+            for vector in 0..4 {
+                let first = NODE_UNKNOWNS * node + 3 * vector;
+                let before = Vector3::from_column_slice(&d[first..first + 3]);
+                let change = Vector3::new(change(first), change(first + 1), change(first + 2));
+                let later = match vector {
+                    1 => tangent * change + rotation * before,
+                    _ => axes * (before + change),
+                };
+                d[first..first + 3].copy_from_slice(later.as_slice());
+            }
         }
-        for (i, &is_algebraic) in algebraic.iter().enumerate() {
+        let others = NODE_UNKNOWNS * self.carried.len();
+        for (i, &is_algebraic) in algebraic.iter().enumerate().skip(others) {
             if is_algebraic {
                 d[i] = 0.0
             } else {

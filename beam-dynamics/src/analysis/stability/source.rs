@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use shared_geom::error::Diagnostics;
 
+use crate::analysis::averaged::{AveragedMode, averaged_modes, possible};
 use crate::analysis::modes::modes_about;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{Equilibrium, equilibrium};
@@ -16,7 +17,8 @@ use crate::input::Input;
 use crate::model::State;
 use crate::modes::ModeMotion;
 use crate::result::{
-    BoundaryKind, FloquetMode, FloquetTable, ModePoint, PeriodicResult, StabilityRoot, Whirl,
+    BoundaryKind, FloquetMode, FloquetTable, ModeKind, ModePoint, PeriodicResult, StabilityRoot,
+    Whirl,
 };
 use crate::solver::LinearSolver;
 
@@ -80,6 +82,7 @@ impl<'a> Source<'a> {
         let mut roots = match self.settings.method {
             StabilityMethod::Modes => self.of_modes(at)?,
             StabilityMethod::Floquet => self.of_period(at)?,
+            StabilityMethod::Averaged => self.of_averaged(at)?,
         };
         roots.sort_by(|a, b| b.growth().total_cmp(&a.growth()));
         if let Some(count) = self.settings.count {
@@ -111,7 +114,7 @@ impl<'a> Source<'a> {
 
     /// The trimmed model at a value, its state and the controls.
     fn trimmed(&mut self, at: f64, trim: &TrimSettings) -> Result<(Input, Trimmed), Failed> {
-        let count = self.count;
+        let count = self.multipliers();
         let read = |given: &[(String, f64)]| -> Result<Input, Diagnostics> {
             let mut input = (self.read)(given)?;
             analyze_period(&mut input, count);
@@ -130,6 +133,11 @@ impl<'a> Source<'a> {
         let (input, found, state) = end.ok_or_else(|| nothing("the trim has no solution"))?;
         self.keep(at, &state, point.controls);
         Ok((input, found))
+    }
+
+    /// Number of multipliers of a periodic motion that are found.
+    fn multipliers(&self) -> Option<usize> {
+        matches!(self.settings.method, StabilityMethod::Floquet).then_some(self.count)
     }
 
     fn input(&self, at: f64) -> Result<Input, Failed> {
@@ -229,10 +237,26 @@ impl<'a> Source<'a> {
         }
     }
 
+    /// By the averaged equations about the periodic motion.
+    fn of_averaged(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
+        let mut input = self.input(at)?;
+        possible(&input.model)?;
+        match self.trim {
+            Some(trim) => input = self.trimmed(at, trim)?.0,
+            None => drop(self.periodic(at)?),
+        }
+        let known = self.known.iter().find(|known| known.at == at);
+        let both = input.periodic.as_ref().zip(known);
+        let (settings, known) = both.ok_or_else(|| nothing("there is no periodic motion"))?;
+        let count = self.settings.count.unwrap_or(COMPUTED[0]);
+        let found = averaged_modes(&input.model, settings, &known.state, count)?;
+        Ok(found.iter().map(averaged_root).collect())
+    }
+
     /// The periodic motion from the nearest known one, or from the start of the file.
     fn periodic(&mut self, at: f64) -> Result<PeriodicResult, Failed> {
         let mut input = self.input(at)?;
-        analyze_period(&mut input, self.count);
+        analyze_period(&mut input, self.multipliers());
         let settings = input
             .periodic
             .as_ref()
@@ -266,11 +290,11 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Requests `count` multipliers of the periodic motion.
-fn analyze_period(input: &mut Input, count: usize) {
+/// Requests `count` multipliers of the periodic motion, or none.
+fn analyze_period(input: &mut Input, count: Option<usize>) {
     if let Some(settings) = &mut input.periodic {
         let own = settings.floquet.take();
-        settings.floquet = Some(FloquetSettings {
+        settings.floquet = count.map(|count| FloquetSettings {
             count,
             near: own.as_ref().map_or_else(Vec::new, |own| own.near.clone()),
             estimates_error: own.is_some_and(|own| own.estimates_error),
@@ -326,6 +350,26 @@ fn root(
         waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
         shape: motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(Complex::new(point.growth, frequency))
+    }
+}
+
+/// A mode of averaged equations; its frequency is the one in the fixed frame.
+fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
+    let shares = mode.motion.shares(&mode.axes);
+    let whirl = mode.whirl.filter(Whirl::is_pure);
+    let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word()));
+    let is_real = mode.exponent.im == 0.0;
+    StabilityRoot {
+        doubt: if is_real {
+            0.0
+        } else {
+            ROUND_OFF * mode.exponent.norm()
+        },
+        name: ModeKind::of(&shares).word().to_owned(),
+        pattern: Some(pattern),
+        waves: whirl.map(|whirl| whirl.harmonic),
+        shape: mode.motion.parts().map(<[_]>::to_vec),
+        ..StabilityRoot::new(mode.exponent)
     }
 }
 

@@ -12,6 +12,9 @@
 //! variation    theta = G du               d omega = G du' + H(u, u') du + theta x R(u) w_0
 //! ```
 //!
+//! All motions of nodes are relative to axes that turn with the part to which they belong: see
+//! [`frames`].
+//!
 //! The simplified variation, `theta = du` and `d omega = du' - omega x du`, applies to a correction
 //! that vanishes.
 //!
@@ -19,9 +22,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::gibbs::{self, Attitude, Increment};
-use shared_geom::rotation::skew;
+use nalgebra::Matrix3;
 
 use crate::analysis::balance::{Scales, largest_motion};
 use crate::assembly::{
@@ -30,21 +31,22 @@ use crate::assembly::{
 use crate::case::Model;
 use crate::elements::Element;
 use crate::integrator::{Corner, Dae, Renewal};
-use crate::model::{Conditions, NODE_UNKNOWNS, Name, Pace, State};
+use crate::model::{NODE_UNKNOWNS, Name, Pace, State};
 use crate::solver::Worst;
 
 use super::corner::{Impulses, NextCorner, pass};
 
 mod base;
+mod frames;
 mod numbers;
 mod own_axes;
+mod trial;
 mod turned;
 
-use numbers::{
-    Integrated, attitude, integrated_latest, move_own, moved, moved_momentum, orthogonal, part,
-    split, write, write_latest,
-};
+use frames::Frames;
+use numbers::{move_own, orthogonal, split, write, write_latest};
 use own_axes::OwnAxes;
+use trial::Trial;
 use turned::Turned;
 
 /// Accepted states that are kept.
@@ -56,30 +58,16 @@ const SMALL: f64 = 1e-3;
 /// Growth in a step above which the previous scalars are no reference.
 const GROWN: f64 = 2.0;
 
-/// A state under trial.
-#[derive(Debug)]
-struct Trial {
-    /// As predicted.
-    base: State,
-    /// As corrected.
-    state: State,
-    conditions: Conditions,
-    /// Correction of the orientation of each node.
-    turns: Vec<Increment>,
-    /// Angular momenta as they are integrated, as predicted.
-    gammas: Vec<Integrated>,
-    /// The sharing of loads between redundant constraints at the prediction.
-    sharing: Sharing,
-    /// Attitudes of the nodes at the prediction for which the kept Jacobian was computed.
-    held: Vec<Matrix3<f64>>,
-}
-
 /// A multibody model as a system of the integrators.
 #[derive(Debug)]
 pub(in crate::analysis) struct Multibody<'a> {
     pub(super) model: &'a Model,
     /// Accepted states, the latest first.
     pub(super) states: [State; KEPT],
+    /// Length of the step to the latest; zero if there was none [s].
+    length: f64,
+    /// Axes of the nodes in the next step.
+    frames: Frames,
     /// The impulses so far.
     pub(super) impulses: Impulses,
     trials: Vec<Trial>,
@@ -111,34 +99,24 @@ impl<'a> Multibody<'a> {
         let system = &model.system;
         let nodes = system.nodes().len();
         let numbering = system.numbering();
-        let still = Increment {
-            parameters: Vector3::zeros(),
-            rate: Vector3::zeros(),
-        };
         // Of the model and not of a state: a run that is continued has the same. The tangent
         // is freed before other memory is allocated.
-        let own_axes = {
+        let (own_axes, frames) = {
             let rest = system.rest();
             let tangent = system.tangent(&rest, &model.conditions_at(0.0));
-            own_axes::find(system, &rest.nodes, &tangent)
+            let own_axes = own_axes::find(system, &rest.nodes, &tangent);
+            (own_axes, Frames::new(model, &tangent))
         };
         let sharing = Sharing::new(system, &states[0], &model.conditions_at(0.0));
-        let trial = || Trial {
-            base: states[0].clone(),
-            state: states[0].clone(),
-            conditions: model.conditions_at(0.0),
-            turns: vec![still; nodes],
-            gammas: vec![[Vector3::zeros(); 2]; nodes],
-            sharing: sharing.clone(),
-            held: vec![Matrix3::identity(); nodes],
-        };
+        let trial = Trial::new(&states[0], model.conditions_at(0.0), sharing);
         let variation = Variation {
             turn: Matrix3::identity(),
             rate_by_turn: Matrix3::zeros(),
+            axes: None,
         };
-        Self {
+        let mut dae = Self {
             model,
-            trials: (0..stages).map(|_| trial()).collect(),
+            trials: vec![trial; stages],
             variations: vec![variation; nodes],
             turned: Turned::new(system),
             own_axes,
@@ -156,13 +134,29 @@ impl<'a> Multibody<'a> {
             pace: Pace::default(),
             corner: NextCorner::default(),
             states,
-        }
+            length: 0.0,
+            frames,
+        };
+        dae.begin_step(0.0);
+        dae
+    }
+
+    /// Begins a step after one of `length`, zero if there was none \[s\].
+    pub fn begin_step(&mut self, length: f64) {
+        self.length = length;
+        self.frames.begin(&self.states[0].nodes, length);
     }
 
     /// The largest violation of a constraint of a loop in the latest state, if constraints share
     /// loads.
     pub fn slack(&self) -> Option<&Slack> {
         self.slack.as_ref()
+    }
+
+    /// Angular speed of each node relative to the axes in which it is integrated \[rad/s\].
+    pub fn turns(&self) -> impl Iterator<Item = f64> + '_ {
+        let nodes = self.states[0].nodes.iter().zip(self.frames.of_nodes());
+        nodes.map(|(node, frame)| (node.angular_velocity - frame.angular_velocity).norm())
     }
 
     /// The latest accepted state.
@@ -198,7 +192,8 @@ impl Dae for Multibody<'_> {
         &self.algebraic
     }
 
-    fn past(&self, back: usize, y: &mut [f64], rates: &mut [f64]) {
+    fn past(&self, ago: f64, y: &mut [f64], rates: &mut [f64]) {
+        let back = usize::from(ago > 0.0);
         let [latest, _] = &self.states;
         let then = &self.states[back];
         let nodes = latest.nodes.len();
@@ -207,11 +202,13 @@ impl Dae for Multibody<'_> {
         let numbers = ends
             .chunks_mut(NODE_UNKNOWNS)
             .zip(slopes.chunks_mut(NODE_UNKNOWNS));
-        let pairs = then.nodes.iter().zip(&latest.nodes).zip(&self.own_axes);
-        for (((node, origin), own), out) in pairs.zip(numbers) {
+        let axes = self.own_axes.iter().zip(self.frames.of_nodes());
+        let pairs = then.nodes.iter().zip(&latest.nodes).zip(axes);
+        for (((node, origin), (own, frame)), out) in pairs.zip(numbers) {
+            let nodes = [&frame.seen(node, -ago), node];
             match back {
-                0 => write_latest(node, own.as_deref(), out),
-                _ => write(node, origin, own.as_deref(), out),
+                0 => write_latest(nodes, own.as_deref(), out),
+                _ => write(nodes, origin, own.as_deref(), out),
             }
         }
         let multipliers = then.multipliers.iter().zip(&latest.multipliers);
@@ -227,40 +224,25 @@ impl Dae for Multibody<'_> {
     }
 
     fn renew(&mut self, corner: &Corner, step: f64) -> Renewal {
-        pass(
+        let passed = pass(
             self.model,
             &mut self.states,
             &mut self.impulses,
             corner,
             step,
-        )
+        );
+        self.begin_step(self.length);
+        passed
     }
 
-    fn predict(&mut self, stage: usize, time: f64, y: &[f64], rates: &[f64]) {
+    fn predict(&mut self, stage: usize, [time, tau]: [f64; 2], y: &[f64], rates: &[f64]) {
         let latest = &self.states[0];
         let trial = &mut self.trials[stage];
         trial.conditions = self.model.conditions_at(time);
-        let ((y, own), (rates, own_rates)) = (
-            split(y, latest.nodes.len()),
-            split(rates, latest.nodes.len()),
-        );
-        let numbers = y.zip(rates);
-        let bases = trial.base.nodes.iter_mut().zip(&mut trial.gammas);
-        let origins = latest.nodes.iter().zip(&self.own_axes);
-        for (((base, gamma), (node, own)), numbers) in bases.zip(origins).zip(numbers) {
-            let turn = Increment {
-                parameters: part(numbers.0, 1),
-                rate: part(numbers.1, 1),
-            };
-            let still = Attitude {
-                rotation: node.rotation,
-                angular_velocity: Vector3::zeros(),
-            };
-            let turned = gibbs::corrected(&turn, &still);
-            *gamma = moved_momentum(&integrated_latest(node, own.as_deref()), 0.0, numbers);
-            let axes = own.as_deref().map(|own| (own, &node.rotation));
-            *base = moved((node, 0.0), &turned, (gamma, axes), numbers);
-        }
+        let axes = (&self.own_axes[..], self.frames.of_nodes());
+        trial.predict(&latest.nodes, tau, axes, [y, rates]);
+        let nodes = latest.nodes.len();
+        let ((_, own), (_, own_rates)) = (split(y, nodes), split(rates, nodes));
         move_own(&mut trial.base, latest, own);
         self.turned.predict(latest, &mut trial.base);
         let first = latest.multipliers.len();
@@ -280,19 +262,9 @@ impl Dae for Multibody<'_> {
     fn correct(&mut self, stage: usize, y: &[f64], rates: &[f64]) {
         let trial = &mut self.trials[stage];
         let nodes = trial.base.nodes.len();
-        let ((y, own), (rates, own_rates)) = (split(y, nodes), split(rates, nodes));
-        let origins = self.own_axes.iter().zip(&self.states[0].nodes);
-        let bases = trial.base.nodes.iter().zip(&trial.gammas);
-        let bases = bases.zip(origins).zip(y.zip(rates));
-        let states = trial.state.nodes.iter_mut().zip(&mut trial.turns);
-        for ((state, turn), (((base, gamma), (own, origin)), numbers)) in states.zip(bases) {
-            turn.parameters = part(numbers.0, 1);
-            turn.rate = part(numbers.1, 1);
-            let turned = gibbs::corrected(turn, &attitude(base));
-            let axes = own.as_deref().map(|own| (own, &origin.rotation));
-            let gamma = moved_momentum(gamma, 1.0, numbers);
-            *state = moved((base, 1.0), &turned, (&gamma, axes), numbers);
-        }
+        let axes = (&self.own_axes[..], self.frames.of_nodes());
+        trial.correct(&self.states[0].nodes, axes, [y, rates]);
+        let ((_, own), (_, own_rates)) = (split(y, nodes), split(rates, nodes));
         move_own(&mut trial.state, &trial.base, own);
         trial.sharing.take_surplus(&mut trial.state.multipliers);
         let changes = &own_rates[trial.base.multipliers.len()..];
@@ -318,21 +290,8 @@ impl Dae for Multibody<'_> {
         mut residual: Option<&mut Residual>,
     ) {
         let trial = &mut self.trials[stage];
-        let nodes = trial.base.nodes.iter().zip(&trial.turns);
-        for (variation, (base, turn)) in self.variations.iter_mut().zip(nodes) {
-            let exact = gibbs::linearized(turn, &attitude(base));
-            *variation = if self.is_simplified {
-                Variation {
-                    turn: Matrix3::identity(),
-                    rate_by_turn: -skew(&gibbs::corrected(turn, &attitude(base)).angular_velocity),
-                }
-            } else {
-                Variation {
-                    turn: exact.rotation,
-                    rate_by_turn: exact.velocity,
-                }
-            };
-        }
+        let frames = self.frames.of_nodes();
+        trial.vary(frames, self.is_simplified, &mut self.variations);
         self.model.system.combine(
             &trial.state,
             &trial.conditions,
@@ -358,21 +317,20 @@ impl Dae for Multibody<'_> {
     }
 
     fn hold(&mut self) {
-        for trial in &mut self.trials {
-            let bases = trial.held.iter_mut().zip(&trial.base.nodes);
-            bases.for_each(|(held, base)| *held = base.rotation);
-        }
+        self.trials.iter_mut().for_each(Trial::hold);
     }
 
     fn turn_back(&self, stage: usize, equations: &mut [f64]) {
         let trial = &self.trials[stage];
-        self.turned.back(&trial.base.nodes, &trial.held, equations);
+        let held = &trial.held[0];
+        self.turned.back(&trial.base.nodes, held, equations);
     }
 
     fn turn_forth(&self, stage: usize, unknowns: &mut [f64]) {
         let trial = &self.trials[stage];
         let nodes = (&trial.base.nodes[..], &self.own_axes[..]);
-        self.turned.forth(nodes, &trial.held, unknowns);
+        self.turned
+            .forth(nodes, (&trial.axes, &trial.held), unknowns);
     }
 
     fn accept(&mut self, stage: usize) {
@@ -389,6 +347,7 @@ impl Dae for Multibody<'_> {
         let time = conditions.loading.time.next_up();
         let system = &self.model.system;
         system.remember(&mut self.states[0], (conditions, time), &mut self.work);
+        self.begin_step(self.trials[stage].since);
     }
 
     fn next_corner(&self, time: f64) -> f64 {

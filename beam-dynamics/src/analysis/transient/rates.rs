@@ -45,7 +45,7 @@ pub(super) fn find_momenta(system: &System, state: &mut State, conditions: &Cond
 /// `state` with rates of momenta and multipliers consistent with its motion and the conditions, and
 /// with scalars consistent with them; `None` if an element does not define the rates of its
 /// constraints, or if there is no solution.
-pub(super) fn consistent_rates(
+pub(in crate::analysis) fn consistent_rates(
     system: &System,
     state: &State,
     conditions: &Conditions,

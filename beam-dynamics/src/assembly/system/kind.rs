@@ -19,9 +19,9 @@ pub(super) struct Kind {
     pub differential: usize,
     /// All entries, with the gaps of a few zeros between them: fewer and longer runs.
     spans: Vec<LocalRun>,
-    /// Entries in the first column of the rotation of each node; the entries in the other two
-    /// columns are next to them.
-    turned: Vec<Vec<LocalRun>>,
+    /// Entries in the first column of each vector of each node; the entries in the other two columns
+    /// are next to them.
+    turned: Vec<[Vec<LocalRun>; 4]>,
 }
 
 impl Kind {
@@ -40,11 +40,12 @@ impl Kind {
         let mut all: Vec<_> = with_rate.into_iter().flat_map(of).collect();
         let differential = all.len();
         all.extend(without.into_iter().flat_map(of));
-        let of_rotation = |node: usize| of(NODE_UNKNOWNS * node + Variable::Rotation.column());
+        let of_vectors =
+            |i: usize| Variable::UNKNOWNS.map(|vector| of(NODE_UNKNOWNS * i + vector.column()));
         Self {
             size,
             rates: jacobian.touches_rates(),
-            turned: (0..size.nodes).map(of_rotation).collect(),
+            turned: (0..size.nodes).map(of_vectors).collect(),
             spans: spans(&all),
             runs: all,
             differential,
@@ -63,10 +64,18 @@ impl Kind {
         jacobian.clear(&self.spans);
     }
 
-    /// Converts the derivatives by the rotation of node `i` of an element into derivatives by the
+    /// Converts the derivatives by the motion of node `i` of an element into derivatives by the
     /// unknowns of a formula (D-130).
     pub fn turn(&self, i: usize, by: &Variation, jacobian: &mut LocalJacobian) {
-        jacobian.turn(i, &self.turned[i], &by.turn, &by.rate_by_turn);
+        for (vector, touched) in Variable::UNKNOWNS.into_iter().zip(&self.turned[i]) {
+            let matrices = match vector {
+                Variable::Rotation => Some([by.turn, by.rate_by_turn]),
+                _ => by.axes,
+            };
+            if let Some(matrices) = &matrices {
+                jacobian.turn((i, vector), touched, matrices);
+            }
+        }
     }
 }
 

@@ -38,8 +38,7 @@ impl System {
     }
 
     /// Sums of the derivatives at a state, by the unknowns of a formula, and the residual if it is
-    /// requested: rotations turn the nodes by `variations`, one per node. With G and W of
-    /// [`Variation`],
+    /// requested: the nodes move by `variations`, one per node. With G and W of [`Variation`],
     ///
     /// ```text
     /// F_theta theta + F_omega d omega = (F_theta G + F_omega W) du + F_omega G du'   (D-130)
@@ -290,6 +289,7 @@ mod tests {
             .map(|part| Variation {
                 turn: Matrix3::identity() + 0.3 * Matrix3::from_column_slice(&part[..9]),
                 rate_by_turn: Matrix3::from_column_slice(&part[9..]),
+                axes: None,
             })
             .collect();
         let weights = [0.7, 2.0, 3.0];

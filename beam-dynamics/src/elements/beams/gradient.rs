@@ -42,7 +42,7 @@
 //! balance.
 
 use nalgebra::{Matrix3, Vector3, Vector6};
-use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
+use shared_geom::rotation::{product, skew, skew_skew, skew_times, times_skew};
 
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::elements::{LocalJacobian, LocalResidual};
@@ -168,11 +168,11 @@ impl Hessian {
             ..
         } = point.point;
         let [force, moment] = section_forces(point, q);
-        let b = a * tangent;
+        let b = product(a, tangent);
         let turned = skew_times(&force, &b);
         let twisted = map.tangent_derivative(&moment);
         let pp = map.tangent_transpose_derivative(&a.tr_mul(&force.cross(l)))
-            + b.tr_mul(&skew_times(l, &turned))
+            + product(&b.transpose(), &skew_times(l, &turned))
             + map.second_derivative(psi_prime, &moment);
         let weights = point.weights();
         for (j, [n, s]) in weights.into_iter().enumerate() {
@@ -238,12 +238,13 @@ impl Rows {
             let (force, moment) = (&mut self.forces[node], &mut self.moments[node]);
             let by_psi = gradient.by_psi[j][0] + gradient.by_psi[j][1];
             for k in 0..2 {
-                force[2 + k] = hessian.rp[j][k] * relative[k];
-                moment[k] = relative[j].tr_mul(&hessian.rp[k][j].transpose());
-                moment[2 + k] = relative[j].tr_mul(&(hessian.pp[j][k] * relative[k]));
+                force[2 + k] = product(&hessian.rp[j][k], &relative[k]);
+                moment[k] = product(&hessian.rp[k][j], &relative[j]).transpose();
+                let by_psi = product(&hessian.pp[j][k], &relative[k]);
+                moment[2 + k] = product(&relative[j].transpose(), &by_psi);
             }
             let carried = nodal.outer[j].tangent_inverse_transpose_derivative(&by_psi);
-            moment[2 + j] += nodal.a * (carried * relative[j]);
+            moment[2 + j] += product(&nodal.a, &product(&carried, &relative[j]));
             force[4] = -skew(&gradient.forces[j]);
             let around = times_skew(&moment[0], &arms[0]) + times_skew(&moment[1], &arms[1]);
             moment[4] = around - skew(&relative[j].tr_mul(&by_psi));

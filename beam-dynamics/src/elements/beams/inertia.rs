@@ -31,7 +31,7 @@
 //! weights ([`super::lumped_bodies`]).
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::{skew, skew_skew, skew_times, times_skew};
+use shared_geom::rotation::{product, skew, skew_skew, skew_times, times_skew};
 
 use super::attachment::BeamGeometry;
 use super::forces::LineForce;
@@ -131,7 +131,7 @@ impl<'a> Motion<'a> {
         let omega = mass.shape.sum(&nodes.omega);
         let r = &section.point.r;
         let s = r * mass.first_moment;
-        let j = r * mass.inertia * r.transpose();
+        let j = product(&product(r, &mass.inertia), &r.transpose());
         Self {
             section,
             mass: mass.mass,
@@ -182,12 +182,12 @@ impl<'a> Motion<'a> {
     fn change(&self, (node, variable): (usize, Variable), of_node: &[Matrix3<f64>; 2]) -> Change {
         let [velocity, omega] = of_node.map(|by| self.section.shape.n[node] * by);
         let mut h = self.mass * velocity - skew_times(&self.s, &omega);
-        let mut k = skew_times(&self.s, &velocity) + self.j * omega;
+        let mut k = skew_times(&self.s, &velocity) + product(&self.j, &omega);
         if variable == Variable::Rotation {
             let s = skew_times(&self.s, &self.section.theta[node]);
             let turned = times_skew(&self.j, &self.omega) - skew(&(self.j * self.omega));
             h -= skew_times(&self.omega, &s);
-            k += skew_times(&self.velocity, &s) + turned * self.section.theta[node];
+            k += skew_times(&self.velocity, &s) + product(&turned, &self.section.theta[node]);
         }
         Change {
             velocity,
@@ -253,7 +253,7 @@ impl<'a> Motion<'a> {
                     angular += skew_skew(&self.h, f);
                 }
             }
-            let moment = n * own - self.section.theta[j].tr_mul(&sigma);
+            let moment = n * own - product(&self.section.theta[j].transpose(), &sigma);
             out.add((j, Momentum), (node, variable), &(-n * by.h));
             out.add((j, AngularMomentum), (node, variable), &(-n * angular));
             out.add((j, Moment), (node, variable), &moment);

@@ -36,7 +36,7 @@
 //! References: [Masarati], the three-node finite-volume beam.
 
 use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
-use shared_geom::rotation::{skew, skew_times};
+use shared_geom::rotation::{product, skew, skew_times};
 
 use super::interpolation::{NodalKinematics, PointKinematics, Shape};
 use crate::model::NodeMotion;
@@ -253,14 +253,16 @@ fn variation(section: &SectionPoint<'_>, bent: &Matrix3<f64>) -> Variation {
     let tangent = tangent.transpose();
     let outer = [0, 1].map(|k| {
         let j = 2 * k;
-        (tangent * section.slope(j) + bent * section.shape.n[j]) * section.nodal.relative[k]
+        let along = tangent * section.slope(j) + bent * section.shape.n[j];
+        product(&along, &section.nodal.relative[k])
     });
     let kappa = [outer[0], -outer[0] - outer[1], outer[1]];
     let rt = r.transpose();
     let offset = section.nodal.offset_skew();
     let mut out = Variation::zeros();
     for j in 0..3 {
-        let nu = rt * (skew_times(l, &section.theta[j]) - offset[j] * section.slope(j));
+        let of_line = skew_times(l, &section.theta[j]) - offset[j] * section.slope(j);
+        let nu = product(&rt, &of_line);
         set(&mut out, j, &(rt * section.slope(j)), &nu, &kappa[j]);
     }
     out

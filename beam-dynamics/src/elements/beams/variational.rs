@@ -18,7 +18,7 @@
 //! ```
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::{skew, skew_skew, skew_times};
+use shared_geom::rotation::{product, skew, skew_skew, skew_times};
 
 use super::forces::LineForce;
 use super::strain::SectionPoint;
@@ -53,12 +53,12 @@ pub(super) fn moment_variation(
     for (j, k) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
         let [n, slope] = [&shape.n, &shape.d.map(|d| d / at.j0)];
         let e = n[j] * n[k] * p + n[j] * slope[k] * q.transpose() + slope[j] * n[k] * q;
-        out[j][k] = relative[j / 2].tr_mul(&e) * relative[k / 2];
+        out[j][k] = product(&product(&relative[j / 2].transpose(), &e), &relative[k / 2]);
     }
     for j in [0, 2] {
         let z = shape.n[j] * a + at.slope(j) * b;
         let inverse = nodal.outer[j / 2].tangent_inverse_transpose_derivative(&z);
-        out[j][j] += nodal.a * inverse * relative[j / 2];
+        out[j][j] += product(&product(&nodal.a, &inverse), &relative[j / 2]);
         let y = relative[j / 2].tr_mul(&z);
         let turned = theta[j].tr_mul(&skew(sigma)) - skew(&y);
         out[j][1] = turned - out[j][0] - out[j][2];

@@ -57,6 +57,9 @@ pub enum LinearProblem {
     /// A speed beside a trim.
     #[error("--speed has no effect on the equilibrium of [trim], which has its own \"speed\"")]
     SpeedOfTrim,
+    /// A speed beside the one of the period, or no speed in it.
+    #[error("--about is periodic, which needs the \"speed\" of [periodic] and no --speed")]
+    SpeedOfPeriod,
     /// An equilibrium beside a trim.
     #[error("the file has [trim], but --about is {}, expected trim", .0.card())]
     BesideTrim(LinearChoice),
@@ -70,6 +73,7 @@ impl LinearChoice {
     pub(super) fn card(self) -> &'static str {
         match self {
             Self::Modes => "modes",
+            Self::Periodic => "periodic",
             Self::Static => "static",
             Self::Trim => "trim",
         }
@@ -106,6 +110,7 @@ impl Explain for LinearProblem {
             Self::NoValue { .. } => "write it so that it is finite there",
             Self::Missing(_) => "add the card, or leave --about away",
             Self::Speeds { .. } => "choose one by --speed, as in --speed \"300 rpm\"",
+            Self::SpeedOfPeriod => "write the \"speed\" of the rotor in [periodic]",
             Self::SpeedOfTrim => "leave it away, or change \"speed\" of [trim]",
             Self::BesideTrim(_) => "leave --about away, or remove [trim] in another file",
             Self::PeriodicTrim => {

@@ -9,6 +9,8 @@ pub enum LinearChoice {
     Static,
     /// Of `[trim]`.
     Trim,
+    /// The motion of `[periodic]`, in multiblade coordinates averaged over it.
+    Periodic,
 }
 
 /// Names of inputs and outputs, and the equilibrium.

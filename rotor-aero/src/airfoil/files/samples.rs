@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// The path of a reference file.
 pub fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../tests/reference")
+        .join("tests/reference")
         .join(name)
 }
 

@@ -106,7 +106,7 @@ fn a_section_without_lift_has_no_attached_flow() {
 fn formula_has_the_published_constants() {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/theory-rotor/naca0012_separation_constants.json"
+        "/tests/reference/theory-rotor/naca0012_separation_constants.json"
     );
     let file: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let number = |key: &str, i: usize| file[key][i].as_f64().unwrap();

@@ -9,7 +9,7 @@ use crate::inflow::{Inflow, PittPeters, RotorFlow, RotorLoads, Uniform};
 
 /// A reference file.
 pub fn reference(path: &str) -> Value {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/");
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/");
     serde_json::from_str(&std::fs::read_to_string(format!("{root}{path}")).unwrap()).unwrap()
 }
 

@@ -18,7 +18,7 @@ const SPEED: f64 = 50.0;
 const STEPS: usize = 720;
 
 fn read(path: &str) -> Vec<Vec<f64>> {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/");
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/");
     let text = std::fs::read_to_string(format!("{root}{path}")).unwrap();
     let file: Value = serde_json::from_str(&text).unwrap();
     let numbers = |row: &Value| {

@@ -22,7 +22,7 @@ const PERIODS: usize = 12;
 fn reference() -> Value {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/theory-rotor/theodorsen.json"
+        "/tests/reference/theory-rotor/theodorsen.json"
     );
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }

@@ -1,6 +1,7 @@
 //! Problems of layup files, in addition to the problems of any input file and of the meshing.
 
 use shared_geom::error::{Explain, nearest_name, quoted};
+use shared_geom::units::rounded;
 
 use crate::mesh::generate::layup::LayupProblem;
 
@@ -16,6 +17,18 @@ pub enum LayupFileProblem {
     /// Airfoils that are not in the order of the span.
     #[error("the airfoils are not at ascending positions from 0 to 1 along the span")]
     AirfoilOrder,
+    /// A quantity of the shape that no blade has.
+    #[error("{key} is {} at the position {} along the span, expected {expected}", rounded(*.found), rounded(*.at))]
+    Shape {
+        /// The key.
+        key: &'static str,
+        /// The value, in SI units.
+        found: f64,
+        /// The position, eta or a length [m].
+        at: f64,
+        /// Possible values.
+        expected: String,
+    },
     /// Digits or points that are not an airfoil.
     #[error("{0}")]
     Points(String),
@@ -157,6 +170,9 @@ impl Explain for LayupFileProblem {
         match self {
             Self::Airfoil { .. } => {
                 Some("naca = \"4415\", file = \"airfoil.dat\", or [[shape.airfoils]]".into())
+            }
+            Self::Shape { .. } => {
+                Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
             }
             Self::Unknown { found, known, .. } => {
                 match nearest_name(found, known.iter().map(String::as_str)) {

@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 
 use shared_geom::document::{Document, Table, read_text};
+use shared_geom::units::rounded;
 
 use super::super::blade::airfoil_points;
 use super::course::{Course, monotone};
@@ -21,6 +22,15 @@ use crate::mesh::generate::layup::Outline;
 
 /// Points of each side of a blended airfoil.
 const STEPS: usize = 160;
+
+/// Positions of the origin on the chord [-].
+const ORIGINS: [f64; 2] = [-1.0, 2.0];
+/// Thickness of a section over the one of the thickest or thinnest airfoil within which that airfoil is
+/// its shape [-].
+const BEYOND: f64 = 1.1;
+/// Least and largest x/c of the points of an airfoil, and the least distance of both.
+const ENDS: [f64; 2] = [-0.5, 1.5];
+const EXTENT: f64 = 0.3;
 
 /// Points (x/c, z/c), from the trailing edge over the suction side to the nose and back.
 pub type Points = Vec<[f64; 2]>;
@@ -87,6 +97,33 @@ impl Shape {
         })
     }
 
+    /// The shape, if a blade can have its quantities.
+    ///
+    /// # Errors
+    /// [`LayupFileProblem::Shape`]: a chord that is not positive, an origin far off the chord, a thickness
+    /// that none of the airfoils is near to.
+    pub(super) fn checked(self) -> Result<Self, LayupFileProblem> {
+        let least = f64::MIN_POSITIVE;
+        check(
+            "chord",
+            &self.chord,
+            [least, f64::INFINITY],
+            "a positive length",
+        )?;
+        let expected = format!("a part of the chord from {} to {}", ORIGINS[0], ORIGINS[1]);
+        check("origin", &self.origin, ORIGINS, &expected)?;
+        if let (Some(thickness), [first, .., last]) = (&self.thickness, &self.airfoils[..]) {
+            let expected = format!("about {} to {}, as the airfoils have", first.at, last.at);
+            check(
+                "thickness",
+                thickness,
+                [first.at / BEYOND, last.at * BEYOND],
+                &expected,
+            )?;
+        }
+        Ok(self)
+    }
+
     /// Reads `[shape]`.
     pub(super) fn read(document: &Document, table: &Table<'_>) -> Option<Self> {
         refuse_trailing_edge(table);
@@ -97,18 +134,28 @@ impl Shape {
             table.note("", &LayupFileProblem::Airfoil { found });
             return None;
         }
-        if let Some(origin) = &origin
-            && origin.positions().is_empty()
-            && !(-1.0..=2.0).contains(&origin.at(0.0))
-        {
-            table.wrong(&ORIGIN, "a part of the chord from -1 to 2");
-            return None;
-        }
         let thickness = table.get(&RELATIVE_THICKNESS);
         let by_thickness = table.has(&RELATIVE_THICKNESS);
+        if by_thickness && !table.has(&AIRFOILS) {
+            table.wrong(
+                &RELATIVE_THICKNESS,
+                "[[shape.airfoils]] by their thicknesses",
+            );
+            return None;
+        }
         let airfoils = if table.has(&AIRFOILS) {
             table.each(&AIRFOILS, |one| {
-                let key = if by_thickness { &AT_THICKNESS } else { &AT_ETA };
+                let (key, other) = match by_thickness {
+                    true => (&AT_THICKNESS, &AT_ETA),
+                    false => (&AT_ETA, &AT_THICKNESS),
+                };
+                if one.has(other) {
+                    one.wrong(
+                        other,
+                        "\"eta\", or \"thickness\" if [shape] has a \"thickness\"",
+                    );
+                    return None;
+                }
                 let at = one.require_item(key, "a number from 0 to 1");
                 let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
@@ -118,7 +165,15 @@ impl Shape {
             points(document, table).map(|points| vec![(0.0, points)])
         };
         let made = Self::new([chord?, origin?, offset?], thickness?, airfoils?);
-        made.map_err(|problem| table.note(&AIRFOILS, &problem)).ok()
+        made.and_then(Self::checked)
+            .map_err(|problem| {
+                let key = match &problem {
+                    LayupFileProblem::Shape { key, .. } => key,
+                    _ => AIRFOILS.name(),
+                };
+                table.note(key, &problem);
+            })
+            .ok()
     }
 
     /// The contour at a position along the span: points (y, z) \[m\].
@@ -174,23 +229,67 @@ impl Shape {
 /// The points of one airfoil.
 fn points(document: &Document, table: &Table<'_>) -> Option<Points> {
     if table.has(&CIRCLE) {
-        return table.get(&CIRCLE).map(|_| circle());
+        let is_circle = table.get(&CIRCLE)?;
+        if !is_circle {
+            table.wrong(&CIRCLE, "true, or another airfoil in its place");
+        }
+        return is_circle.then(circle);
     }
     if table.has(&POINTS) && !table.has(&NACA) {
         let count = table.row_count(&POINTS).unwrap_or(1);
         let rows = table.rows(POINTS.name(), count, 2)?;
-        return Some(rows.into_iter().map(|row| [row[0], row[1]]).collect());
+        let found: Points = rows.into_iter().map(|row| [row[0], row[1]]).collect();
+        return scaled(found, table, POINTS.name());
     }
     if table.has(&FILE) && !table.has(&NACA) {
         let path = table.existing(&FILE, &table.get(&FILE)?)?;
         let text = document.keep(read_text(&path))?;
-        return document.keep(airfoil_points(&text, &path.display().to_string()));
+        let found = document.keep(airfoil_points(&text, &path.display().to_string()))?;
+        return scaled(found, table, FILE.name());
     }
     let made = naca(&table.get(&NACA)?, false);
     let note = |problem: crate::mesh::generate::blade::BladeProblem| {
         table.note(&NACA, &LayupFileProblem::Points(problem.to_string()));
     };
     made.map_err(note).ok()
+}
+
+/// Points whose x is a part of the chord.
+fn scaled(points: Points, table: &Table<'_>, key: &str) -> Option<Points> {
+    let ends = points
+        .iter()
+        .fold([f64::INFINITY, -f64::INFINITY], |ends, [x, _]| {
+            [ends[0].min(*x), ends[1].max(*x)]
+        });
+    let is_scaled = ends[0] >= ENDS[0] && ends[1] <= ENDS[1] && ends[1] - ends[0] >= EXTENT;
+    if !is_scaled {
+        let [from, to] = ends.map(rounded);
+        let found =
+            format!("points from x/c = {from} to {to}, expected parts of the chord, 0 to 1");
+        table.note(key, &LayupFileProblem::Points(found));
+    }
+    is_scaled.then_some(points)
+}
+
+/// Checks that all values of a quantity are in a range.
+fn check(
+    key: &'static str,
+    course: &Course,
+    [from, to]: [f64; 2],
+    expected: &str,
+) -> Result<(), LayupFileProblem> {
+    match course
+        .points()
+        .find(|(_, value)| !(from..=to).contains(value))
+    {
+        None => Ok(()),
+        Some((at, found)) => Err(LayupFileProblem::Shape {
+            key,
+            found,
+            at,
+            expected: expected.to_owned(),
+        }),
+    }
 }
 
 fn circle() -> Points {

@@ -9,7 +9,7 @@ use toml::Table;
 use super::BLADE;
 
 /// The top folder of the repository.
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 fn validator() -> Validator {
     jsonschema::draft202012::new(&BLADE.json_schema()).expect("a valid schema")

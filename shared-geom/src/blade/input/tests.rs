@@ -9,7 +9,7 @@ use crate::section;
 use crate::wrench;
 
 fn case(name: &str) -> Reading {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../cases/dynamics");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("cases/dynamics");
     let read = read(&folder.join(name).join(format!("{name}.blade.toml")));
     read.unwrap_or_else(|problems| panic!("{problems}"))
 }

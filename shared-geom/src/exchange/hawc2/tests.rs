@@ -498,7 +498,7 @@ fn no_changed_byte_makes_the_readers_panic() {
         };
         let file = concat!(
             env!("CARGO_MANIFEST_DIR"),
-            "/../tests/reference/exchange/test.htc"
+            "/tests/reference/exchange/test.htc"
         );
         if let Ok(reading) = read(text, Path::new(file), &Options::default()) {
             let _ = write(&reading.blade, "a");

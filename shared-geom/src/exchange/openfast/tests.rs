@@ -9,7 +9,7 @@ use crate::exchange::{Format, Options, Reading, read_with};
 const MAIN: &str = include_str!("../../../../fuzz/corpus/blade_file/plain_elastodyn.fst");
 
 fn seed(name: &str) -> PathBuf {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../fuzz/corpus/blade_file");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fuzz/corpus/blade_file");
     Path::new(folder).join(name)
 }
 

@@ -1,28 +1,33 @@
 //! The derivatives of a step by its first state.
 //!
 //! In a step that begins with the prediction of no change, `R = R(u) R_0` and `omega = G(u) u'`:
-//! at fixed u and u', a rotation of the first state is carried along,
+//! at fixed u and u', a rotation of the first state is carried along, and all other unknowns with
+//! their axes, of which U is the rotation and w the angular velocity,
 //!
 //! ```text
-//! theta = R(u) theta_0 ,     d omega = 0                                        (D-200)
+//! theta = R(u) U theta_0 ,   d omega = 0 ,   dx = U dx_0 ,   dv = [w]x U dx_0           (D-200)
 //! ```
-//!
-//! and all other unknowns change with it one to one.
 
-use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::gibbs;
+use nalgebra::Matrix3;
+use shared_geom::rotation::gibbs::{self, Increment};
 
 use super::{Multibody, Variation};
 use crate::assembly::{Combination, Sparse};
 use crate::model::State;
 
 impl Multibody<'_> {
-    /// Integrates all angular momenta in components in space, of which [`Self::by_base`] is the
-    /// derivative.
-    pub fn in_space(&mut self) {
+    /// Integrates all angular momenta as [`Self::by_base`] expects, in axes that do not follow single
+    /// nodes, and all nodes in axes that turn as now, at `time` \[s\], in every step.
+    pub fn in_kept_axes(&mut self, time: f64) {
         for own in &mut self.own_axes {
             *own = None;
         }
+        self.frames.keep(time);
+    }
+
+    /// Begins a step in these axes at `time` \[s\].
+    pub fn begin_step_at(&mut self, time: f64) {
+        self.frames.move_to(time);
     }
 
     /// Begins anew from a state.
@@ -36,10 +41,13 @@ impl Multibody<'_> {
     /// state `stage` that was predicted without a change; with all momenta in space.
     pub fn by_base(&mut self, stage: usize, matrix: &mut Sparse) {
         let trial = &self.trials[stage];
-        for (variation, turn) in self.variations.iter_mut().zip(&trial.turns) {
+        let turns = trial.turns.iter().zip(&trial.axes);
+        let turns = turns.zip(self.frames.of_nodes());
+        for (variation, ((turn, axes), frame)) in self.variations.iter_mut().zip(turns) {
             *variation = Variation {
-                turn: gibbs::to_rotation(&turn.parameters),
+                turn: gibbs::to_rotation(&turn.parameters) * axes,
                 rate_by_turn: Matrix3::zeros(),
+                axes: frame.turns.then(|| [*axes, frame.spin(axes)]),
             };
         }
         let mut out = [Combination {
@@ -57,10 +65,18 @@ impl Multibody<'_> {
         );
     }
 
-    /// G(u) and R(u) of each node at the trial state `stage`: `theta = G du + R theta_0`.
-    pub fn carried(&self, stage: usize) -> Vec<[Matrix3<f64>; 2]> {
-        let turns = self.trials[stage].turns.iter();
-        let carried = |g: &Vector3<f64>| [gibbs::tangent(g), gibbs::to_rotation(g)];
-        turns.map(|turn| carried(&turn.parameters)).collect()
+    /// G U, R(u) U and U of each node at the trial state `stage`: `theta = G U dg + R U theta_0`, with
+    /// g in the turning axes, and `dx = U (dxi + dx_0)`.
+    pub fn carried(&self, stage: usize) -> Vec<[Matrix3<f64>; 3]> {
+        let trial = &self.trials[stage];
+        let carried = |(turn, axes): (&Increment, &Matrix3<f64>)| {
+            let g = &turn.parameters;
+            [
+                gibbs::tangent(g) * axes,
+                gibbs::to_rotation(g) * axes,
+                *axes,
+            ]
+        };
+        trial.turns.iter().zip(&trial.axes).map(carried).collect()
     }
 }

@@ -2,7 +2,7 @@
 //! schemes, and back.
 
 use nalgebra::{Matrix3, Vector3};
-use shared_geom::rotation::gibbs::{self, Attitude};
+use shared_geom::rotation::gibbs::{self, Attitude, Increment};
 
 use super::own_axes::{Following, OwnAxes};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
@@ -67,47 +67,74 @@ pub(super) fn integrated_latest(node: &NodeMotion, own: Option<&OwnAxes>) -> Int
     integrated(node, follows)
 }
 
-/// Changes of the latest accepted state relative to itself, which are zero, and its rates.
+/// Number of the vectors of a node that its turning axes carry: angular momenta in own axes follow
+/// the node.
+pub(super) fn lifted(own: Option<&OwnAxes>) -> usize {
+    if own.is_some() { 3 } else { 4 }
+}
+
+/// The attitude of a node with its angular velocity relative to axes that turn with `axes` \[rad/s\].
+pub(super) fn relative(node: &NodeMotion, axes: &Vector3<f64>) -> Attitude {
+    Attitude {
+        rotation: node.rotation,
+        angular_velocity: node.angular_velocity - axes,
+    }
+}
+
+/// The attitude of a node after a correction relative to axes that turn with `axes` \[rad/s\].
+pub(super) fn corrected(turn: &Increment, node: &NodeMotion, axes: &Vector3<f64>) -> Attitude {
+    let mut turned = gibbs::corrected(turn, &relative(node, axes));
+    turned.angular_velocity += axes;
+    turned
+}
+
+/// The rates of the latest accepted state, of which the changes relative to itself are zero; of a
+/// node as its turning axes see it, and of itself.
 pub(super) fn write_latest(
-    node: &NodeMotion,
+    [seen, node]: [&NodeMotion; 2],
     own: Option<&OwnAxes>,
     (y, rates): (&mut [f64], &mut [f64]),
 ) {
     y.fill(0.0);
-    let [_, gamma_rate] = integrated_latest(node, own);
-    write_variables(
-        [
-            node.velocity,
-            node.angular_velocity,
-            node.momentum_rate,
-            gamma_rate,
-        ],
-        rates,
-    );
+    let gamma_rate = match own {
+        None => seen.angular_momentum_rate,
+        Some(_) => integrated_latest(node, own)[1],
+    };
+    let slopes = [
+        seen.velocity,
+        seen.angular_velocity,
+        seen.momentum_rate,
+        gamma_rate,
+    ];
+    write_variables(slopes, rates);
 }
 
-/// Changes of a state from the latest accepted one, `origin`, and its rates.
+/// Changes of a node from the latest accepted state, `origin`, and its rates; of the node as its
+/// turning axes see it, and of itself.
 pub(super) fn write(
-    node: &NodeMotion,
+    [seen, node]: [&NodeMotion; 2],
     origin: &NodeMotion,
     own: Option<&OwnAxes>,
     (y, rates): (&mut [f64], &mut [f64]),
 ) {
-    let turn = gibbs::relative(&attitude(node), &origin.rotation);
+    let turn = gibbs::relative(&attitude(seen), &origin.rotation);
     let axes = |own: &OwnAxes| own.at(&origin.rotation, &node.rotation, &node.angular_velocity);
-    let [gamma, gamma_rate] = integrated(node, own.map(axes));
+    let [gamma, gamma_rate] = match own {
+        None => integrated(seen, None),
+        Some(own) => integrated(node, Some(axes(own))),
+    };
     let before = match own {
         None => origin.angular_momentum,
         Some(_) => origin.rotation.tr_mul(&origin.angular_momentum),
     };
     let changes = [
-        node.position - origin.position,
+        seen.position - origin.position,
         turn.parameters,
-        node.momentum - origin.momentum,
+        seen.momentum - origin.momentum,
         gamma - before,
     ];
     write_variables(changes, y);
-    let slopes = [node.velocity, turn.rate, node.momentum_rate, gamma_rate];
+    let slopes = [seen.velocity, turn.rate, seen.momentum_rate, gamma_rate];
     write_variables(slopes, rates);
 }
 

@@ -75,23 +75,25 @@ impl Turned {
     /// Turns equations at `nodes` back to the attitudes `held`.
     pub fn back(&self, nodes: &[NodeMotion], held: &[Matrix3<f64>], equations: &mut [f64]) {
         let turn = |node: usize| held[node] * nodes[node].rotation.transpose();
-        self.turn_all(nodes, turn, |_| NODE_UNKNOWNS, equations);
+        self.turn_all(nodes, (turn, turn), |_| NODE_UNKNOWNS, equations);
     }
 
-    /// Turns unknowns at the attitudes `held` to the ones at `nodes`, of which some have their
-    /// angular momentum in own axes.
+    /// Turns unknowns at the attitudes that are held, in space and in the turning axes of the nodes, to
+    /// the ones at `nodes`, of which some have their angular momentum in own axes.
     pub fn forth(
         &self,
         (nodes, own_axes): (&[NodeMotion], &[Option<Box<OwnAxes>>]),
-        held: &[Matrix3<f64>],
+        (axes, [in_space, in_axes]): (&[Matrix3<f64>], &[Vec<Matrix3<f64>>; 2]),
         unknowns: &mut [f64],
     ) {
-        let turn = |node: usize| nodes[node].rotation * held[node].transpose();
+        let turn = |node: usize| nodes[node].rotation * in_space[node].transpose();
+        let in_axes =
+            |node: usize| axes[node].tr_mul(&nodes[node].rotation) * in_axes[node].transpose();
         let count = |node: usize| match own_axes[node] {
             None => NODE_UNKNOWNS,
             Some(_) => Variable::AngularMomentum.column(),
         };
-        self.turn_all(nodes, turn, count, unknowns);
+        self.turn_all(nodes, (in_axes, turn), count, unknowns);
     }
 
     /// Turns the multipliers of the prediction `base`, equal to the ones of the latest accepted state,
@@ -111,11 +113,14 @@ impl Turned {
         }
     }
 
-    /// Turns the first `count` numbers of each node, and the vectors of elements.
+    /// Turns the first `count` numbers of each node, and the vectors of elements, by two turns.
     fn turn_all(
         &self,
         nodes: &[NodeMotion],
-        turn: impl Fn(usize) -> Matrix3<f64>,
+        (turn, of_elements): (
+            impl Fn(usize) -> Matrix3<f64>,
+            impl Fn(usize) -> Matrix3<f64>,
+        ),
         count: impl Fn(usize) -> usize,
         numbers: &mut [f64],
     ) {
@@ -125,7 +130,7 @@ impl Turned {
             let vectors = own[..count(node)].chunks_exact_mut(3);
             vectors.for_each(|vector| rotate(&turn, vector));
         }
-        self.turn_own(nodes, turn, numbers);
+        self.turn_own(nodes, of_elements, numbers);
     }
 
     fn turn_own(

@@ -8,7 +8,7 @@ use super::models::{bipendulum, top};
 use crate::analysis::transient::multibody::Multibody;
 use crate::analysis::transient::start::start;
 use crate::assembly::{Combination, Residual, Sparse};
-use crate::case::{Model, TransientSettings};
+use crate::case::{BladeNodes, Model, TransientSettings};
 use crate::integrator::Dae;
 
 /// Deterministic numbers from -1 to 1.
@@ -39,7 +39,7 @@ fn error(model: &Model) -> f64 {
             .collect::<Vec<_>>()
     };
     let (y, rates) = (numbers(0.3), numbers(1.0));
-    dae.predict(0, 0.1, &y, &rates);
+    dae.predict(0, [0.1; 2], &y, &rates);
     let (y, rates) = (numbers(0.2), numbers(0.7));
     let (a, b) = (0.4, 0.9);
     let mut matrix = Sparse::zero(Arc::clone(dae.pattern()));
@@ -85,4 +85,18 @@ fn derivatives_are_exact_for_slender_and_other_bodies() {
         let error = error(&model);
         assert!(error < 2e-8, "{}: {error:e}", model.name);
     }
+}
+
+// The same in axes that turn with a part, here by 0.78 rad.
+#[test]
+fn derivatives_are_exact_in_turning_axes() {
+    let mut model = top(Vector3::new(0.3, 0.9, 7.5));
+    let nodes = (0..model.system.nodes().len()).collect();
+    model.blades.push(BladeNodes {
+        name: "top".to_owned(),
+        azimuth: 0.0,
+        nodes,
+    });
+    let error = error(&model);
+    assert!(error < 2e-8, "{error:e}");
 }

@@ -128,6 +128,7 @@ fn sums_are_the_same_to_the_last_bit_for_any_number_of_parts() {
         let variation = |_: &_| Variation {
             turn: vector::to_rotation(&numbers.vector()),
             rate_by_turn: 0.3 * vector::to_rotation(&numbers.vector()),
+            axes: None,
         };
         let variations: Vec<_> = system.nodes().iter().map(variation).collect();
         let at = (&state, &conditions);

@@ -32,6 +32,16 @@ impl Notes {
         }
     }
 
+    /// Remarks that an element with a name takes the place of an earlier one.
+    pub fn again(&mut self, at: Element<'_>, is_again: bool) {
+        if is_again {
+            self.remarks.push(format!(
+                "{} is defined twice, and the second one is used",
+                at.shown()
+            ));
+        }
+    }
+
     /// Notes a problem at an element: its name, the value found, the expected one, and the remedy.
     pub fn wrong(&mut self, at: Element<'_>, [what, found, expected, help]: [&str; 4]) {
         self.wrong_on(at.file, at.line(), [what, found, expected, help]);

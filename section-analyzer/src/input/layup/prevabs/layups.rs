@@ -66,7 +66,8 @@ pub(super) fn read<'x>(parts: &[Element<'x>], known: &Known<'_>, notes: &mut Not
             }
             is_fine.then_some(plies)
         });
-        layups.insert(name, plies);
+        let is_again = layups.insert(name, plies).is_some();
+        notes.again(layup, is_again);
     }
     layups
 }

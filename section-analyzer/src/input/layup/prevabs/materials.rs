@@ -57,13 +57,15 @@ impl<'x> Known<'x> {
         };
         for material in parts.iter().flat_map(|part| part.named("material")) {
             if let Some(name) = material.required_name(notes) {
-                known.materials.insert(name, material);
+                let is_again = known.materials.insert(name, material).is_some();
+                notes.again(material, is_again);
             }
         }
         for lamina in parts.iter().flat_map(|part| part.named("lamina")) {
             if let Some(name) = lamina.required_name(notes) {
                 let read = known.lamina_of(lamina, notes);
-                known.laminae.insert(name, read);
+                let is_again = known.laminae.insert(name, read).is_some();
+                notes.again(lamina, is_again);
             }
         }
         known

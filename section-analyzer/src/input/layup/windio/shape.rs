@@ -3,6 +3,7 @@
 use shared_geom::exchange::windio_fields::numbers;
 use shared_geom::exchange::yaml::Node;
 
+use super::super::LayupFileProblem;
 use super::super::course::Course;
 use super::super::shape::{Points, Shape};
 use super::airfoil::contour;
@@ -60,12 +61,21 @@ pub(super) fn read(
     let offset = offset?.unwrap_or_else(|| Course::constant(0.0));
     let points = by_thickness(airfoils, notes);
     let made = Shape::new([chord, origin, offset], Some(thickness), points);
-    let note = |problem: super::super::LayupFileProblem| {
-        let help = "correct the points of the airfoils";
+    let note = |problem: LayupFileProblem| {
         let found = problem.to_string();
-        notes.wrong(outer.line, ["airfoils", &found, "closed contours", help]);
+        let own = match &problem {
+            LayupFileProblem::Shape { .. } => {
+                let help = "lengths are in m, and thicknesses numbers as 0.3, not percent";
+                ["the outer shape", &found, "the shape of a blade", help]
+            }
+            _ => {
+                let help = "correct the points of the airfoils";
+                ["airfoils", &found, "closed contours", help]
+            }
+        };
+        notes.wrong(outer.line, own);
     };
-    made.map_err(note).ok()
+    made.and_then(Shape::checked).map_err(note).ok()
 }
 
 /// Positions and names of version 1.

@@ -106,8 +106,8 @@ fn turn_multipliers(of: &Multibody<'_>, q: &Matrix3<f64>, state: &mut State) {
 fn jacobian(of: &mut Multibody<'_>) -> Sparse {
     let n = of.pattern().size();
     let (mut y, mut rates) = (vec![0.0; n], vec![0.0; n]);
-    of.past(0, &mut y, &mut rates);
-    of.predict(0, 0.0, &y, &rates);
+    of.past(0.0, &mut y, &mut rates);
+    of.predict(0, [0.0; 2], &y, &rates);
     let mut matrix = Sparse::zero(Arc::clone(of.pattern()));
     let mut out = [Combination {
         by_unknowns: 0.3,
