@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use shared_geom::blade::read_line;
-use shared_geom::document::{Document, read_text};
+use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::line::ReferenceLine;
 use shared_geom::mesh::Mesh;
@@ -177,9 +177,7 @@ pub fn read_with(path: &Path, materials: Materials) -> Result<Layup, Diagnostics
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let document = Document::parse(text, &path.display().to_string())?;
-    let root = document.root_of(&LAYUP_FILE);
-    document.declare_units(&root);
-    let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
+    let root = root(&document);
     let known = Known::new(materials::read(&root));
     let mut shape_line = 1;
     let shape = root.nested(&SHAPE, |table| {
@@ -236,6 +234,15 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     document.finish(layup)
 }
 
+/// The outermost table of a layup file, with its units.
+fn root(document: &Document) -> Table<'_> {
+    let root = document.root_of(&LAYUP_FILE);
+    document.declare_units(&root);
+    place::refuse_trailing_edge(&root);
+    let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
+    root
+}
+
 /// Names that are given twice, and unknown webs of fills, with their lines.
 fn wrong_names(
     layers: &[WrittenLayer],
@@ -275,14 +282,26 @@ fn wrong_names(
     problems
 }
 
-/// Webs of layers that have plies of their own, or that are not the web of the first such layer.
+/// Webs of layers that have plies of their own, or that stand at positions along the span of the web
+/// of another such layer.
 fn wrong_spars<'a>(
     mut of_layers: impl Iterator<Item = (&'a str, usize)> + Clone,
     webs: &[WrittenWeb],
 ) -> Vec<(usize, LayupFileProblem)> {
-    let first = of_layers.clone().next();
+    let range = |name: &str| {
+        webs.iter()
+            .find(|web| web.name == name)
+            .map(|web| web.range)
+    };
+    let is_beside = |a: &str, b: &str| match (range(a), range(b)) {
+        (Some(a), Some(b)) => a[0] < b[1] && b[0] < a[1],
+        _ => false,
+    };
+    let all = of_layers.clone();
     let problem = |(name, line): (&'a str, usize)| {
-        let first = first.map(|first| first.0).filter(|first| *first != name);
+        let mut before = all.clone().take_while(|other| other.1 != line);
+        let first = before.find(|other| other.0 != name && is_beside(other.0, name));
+        let first = first.map(|first| first.0);
         let has_plies = || {
             webs.iter()
                 .any(|web| web.name == name && !web.plies.is_empty())

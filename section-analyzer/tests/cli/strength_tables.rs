@@ -287,7 +287,18 @@ fn layers_between_stations_are_reported() {
     let check = |stations: &str| {
         workplace.run(&["blade", "a.layup.toml", "--check", "--stations", stations])
     };
-    let expected = "line 29: layer \"tip\" is there from eta 0.6 to 0.75, and at no station";
-    assert_eq!(warnings(&check("0.1,0.5,0.9")), [expected]);
+    let tip = "line 29: layer \"tip\" is there from eta 0.6 to 0.75, and at no station";
+    assert_eq!(warnings(&check("0.1,0.5,0.9")), [tip]);
+    assert!(warnings(&check("0.1,0.7,0.9")).is_empty());
+    // a web, once for all of its plies, and a fill
+    let more = "[[web]]\nname = \"rib\"\nat = { x = 0.6 }\neta = [0.62, 0.74]\nplies = [\
+                { name = \"fore\", material = \"glass\", thickness = 1 },\
+                { name = \"aft\", material = \"glass\", thickness = 1 }]\n\
+                [[fill]]\nname = \"core\"\nmaterial = \"lead\"\nahead_of = \"web\"\n\
+                eta = [0.61, 0.72]\n[mesh]";
+    workplace.write("a.layup.toml", &LAYUP.replace("[mesh]", more));
+    let web = "line 43: web \"rib\" is there from eta 0.62 to 0.74, and at no station";
+    let fill = "line 48: fill \"core\" is there from eta 0.61 to 0.72, and at no station";
+    assert_eq!(warnings(&check("0.1,0.5,0.9")), [tip, web, fill]);
     assert!(warnings(&check("0.1,0.7,0.9")).is_empty());
 }

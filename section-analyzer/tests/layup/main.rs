@@ -5,6 +5,7 @@ mod effort;
 
 mod blades;
 mod closed_forms;
+mod edge_webs;
 mod equal;
 mod files;
 mod fills;

@@ -108,7 +108,8 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "web = \"rear\"\n[[web]]",
         "web = \"fore\"\n[[web]]\nname = \"fore\"\nat = { x = 0.2 }\nplies = []\n[[web]]",
-        "error: a.layup.toml:32: layers continue along webs \"rear\" and \"fore\", expected one web",
+        "error: a.layup.toml:32: layers continue along webs \"rear\" and \"fore\", expected one web \
+         at each position along the span",
     ),
     (
         "thickness = 0.002\nfrom = \"rear.suction\"",
@@ -155,4 +156,42 @@ fn wrong_spars_are_named() {
         let problem = problem.expect_err(to);
         assert!(problem.contains(expected), "{to}: {problem}\n{expected}");
     }
+}
+
+/// Two spars along one span: each section has its own, also where the layers of both are there; where
+/// both webs stand, the section names them.
+#[test]
+fn two_spars_follow_each_other_along_the_span() {
+    let second = "[[layer]]\nname = \"outboard\"\nmaterial = \"metal\"\nthickness = 0.003\n\
+                  web = \"fore\"\n[[web]]\nname = \"rear\"";
+    let text = TEXT.replace("[[web]]\nname = \"rear\"", second);
+    let both = |ranges: [&str; 2]| {
+        let [rear, fore] = ranges;
+        let webs = format!(
+            "plies = []\neta = {rear}\n[[web]]\nname = \"fore\"\nat = {{ x = 0.2 }}\nplies = []\n\
+             eta = {fore}"
+        );
+        text.replace("plies = []", &webs)
+    };
+    let layup = parse(&both(["[0, 0.4]", "[0.4, 1]"])).unwrap_or_else(|text| panic!("{text}"));
+    let spar = |eta: f64| {
+        let section = layup.section(eta).expect("a section");
+        let spar = section.spar.expect("a spar");
+        let names = spar
+            .layers
+            .iter()
+            .map(|layer| section.layers[*layer].name.clone());
+        (spar.web, names.collect::<Vec<_>>())
+    };
+    let rear = (
+        "rear".to_owned(),
+        vec!["spar".to_owned(), "filler".to_owned()],
+    );
+    assert_eq!(spar(0.2), rear);
+    assert_eq!(spar(0.8), ("fore".to_owned(), vec!["outboard".to_owned()]));
+    let both_stand = layup.section(0.4).expect_err("two spars").to_string();
+    let expected = "layers continue along webs \"rear\" and \"fore\"";
+    assert!(both_stand.contains(expected), "{both_stand}");
+    let overlap = parse(&both(["[0, 0.5]", "[0.4, 1]"])).expect_err("two spars");
+    assert!(overlap.contains(expected), "{overlap}");
 }

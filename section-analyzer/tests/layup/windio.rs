@@ -400,3 +400,32 @@ fn damaged_files_are_read_or_refused() {
     println!("{good} read, {bad} refused");
     assert!(good > 10 && bad > 100);
 }
+
+/// Slopes of S-N lines belong to the strengths; without strengths, and intercepts, are remarks.
+#[test]
+fn slopes_of_fatigue_are_read() {
+    let layup = changed(&[
+        (
+            "ply_t: 0.001",
+            "ply_t: 0.001\n    m: [10, 8, 8]\n    A: 4.0e+8",
+        ),
+        ("    nu: 0.35", "    nu: 0.35\n    m: 5"),
+        ("    nu: 0.3\n", "    nu: 0.3\n    m: 0\n    A: 0\n"),
+    ]);
+    let layup = layup.unwrap_or_else(|text| panic!("{text}"));
+    assert!(
+        layup.constants.contains("m = 10.0\nm_matrix = 8.0\n"),
+        "{}",
+        layup.constants
+    );
+    let told = |text: &str| {
+        layup
+            .remarks
+            .iter()
+            .filter(|one| one.contains(text))
+            .count()
+    };
+    assert_eq!(told("material \"glass\": A is not used"), 1);
+    assert_eq!(told("material \"glue\": m is not used without Xt"), 1);
+    assert_eq!(told("\"foam\""), 0);
+}

@@ -16,7 +16,7 @@ use super::super::regions::Angle;
 use super::TOWARDS;
 use super::course::{COURSE, Course};
 use super::fills::FillBound;
-use super::place::{BOTH, BothSides, PLACE, Place};
+use super::place::{AT_EDGE, BOTH, BothSides, PLACE, Place};
 use super::taper::{Profile, Taper};
 
 keys! {
@@ -245,8 +245,10 @@ keys! {
     /// Its place on the pressure side.
     pub(super) PRESSURE: Place = "pressure", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         required, "0.68";
-    /// Its plane.
-    pub(super) PLANE_OF_WEB: BothSides = "at", [OneTable(&BOTH)], required, "{ x = 0.3 }";
+    /// Its plane, or the trailing edge: the web lies behind the flat base there, and the layers of
+    /// both sides end on it.
+    pub(super) PLANE_OF_WEB: BothSides = "at", [OneTable(&BOTH), Word(&[AT_EDGE])], required,
+        "{ x = 0.3 }";
     /// First and last position along the span.
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
     /// Its plies, from the leading edge aft; each is a layer without places.

@@ -268,6 +268,16 @@ impl Place {
     }
 }
 
+/// Notes a table or key of the trailing edge, which webs and fills describe.
+pub(super) fn refuse_trailing_edge(table: &Table<'_>) {
+    if table.has(AT_EDGE) {
+        table.note(AT_EDGE, &LayupFileProblem::TrailingEdge);
+    }
+}
+
+/// The word of the place of a web behind the base.
+pub(super) const AT_EDGE: &str = "trailing_edge";
+
 /// A place on each side, suction and pressure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BothSides(pub [Place; 2]);
@@ -276,6 +286,15 @@ impl Declared for BothSides {}
 
 impl Value for BothSides {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        let line = table.line_of(key);
+        if table.is_text(key) {
+            let at_edge = table.text(key.name)? == AT_EDGE;
+            if !at_edge {
+                table.wrong(key, &format!("\"{AT_EDGE}\", or a table with x or plane"));
+            }
+            let places = [0.0, 1.0].map(|arc| Place::arc(arc).on_line(line));
+            return at_edge.then_some(Self(places));
+        }
         let inner = table.table(key)?.described(&BOTH);
         let forms = match (inner.has(&X_OF_WEB), inner.has(&PLANE_OF_WEB)) {
             (true, false) => {
@@ -295,7 +314,6 @@ impl Value for BothSides {
             }
         };
         inner.finish();
-        let line = table.line_of(key);
         Some(Self(forms?.map(|form| Place::of(form).on_line(line))))
     }
 }

@@ -102,7 +102,7 @@ pub enum LayupFileProblem {
     )]
     Place,
     /// Layers that continue along two webs.
-    #[error("layers continue along webs \"{}\" and \"{}\", expected one web", .webs[0], .webs[1])]
+    #[error("layers continue along webs \"{}\" and \"{}\", expected one web at each position along the span", .webs[0], .webs[1])]
     TwoSpars {
         /// The webs.
         webs: [String; 2],
@@ -115,6 +115,9 @@ pub enum LayupFileProblem {
         /// The web.
         web: String,
     },
+    /// A trailing edge that is described by itself.
+    #[error("the layers and the base close the trailing edge, it has no key of its own")]
+    TrailingEdge,
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,
@@ -180,6 +183,11 @@ impl Explain for LayupFileProblem {
             Self::NoPly { material, .. } => Some(format!(
                 "add ply_thickness to [material.{material}], or give \"thickness\""
             )),
+            Self::TrailingEdge => Some(
+                "a wall is a [[web]] with at = \"trailing_edge\", a tab behind a flat base such a web \
+                 as thick as the tab is long, an adhesive a [[fill]]"
+                    .into(),
+            ),
             Self::Section { problem, .. } => problem.help(),
             _ => None,
         }

@@ -12,6 +12,9 @@ pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
 
+/// Numbers of the layers that continue along webs, with the webs.
+type Along<'a> = Vec<(&'a str, usize)>;
+
 /// Resolves the places of a section.
 pub(super) struct Resolver<'a> {
     layup: &'a Layup,
@@ -33,6 +36,23 @@ impl<'a> Resolver<'a> {
 
     /// The section, lengths in meters.
     pub fn section(&self) -> Result<LayupSection, Located> {
+        let (layers, along) = self.layers()?;
+        let (webs, spar) = self.webs(&along)?;
+        let fills = self.layup.fills.iter();
+        let fills = fills.filter(|fill| self.eta >= fill.range[0] && self.eta <= fill.range[1]);
+        let fills: Result<_, Located> = fills.map(|fill| self.fill(fill)).collect();
+        Ok(LayupSection {
+            contour: self.layup.shape.contour(self.eta),
+            layers,
+            webs,
+            spar,
+            fills: fills?,
+            size: self.layup.size,
+        })
+    }
+
+    /// The layers of the shell, and the numbers of those that continue along webs, with the webs.
+    fn layers(&self) -> Result<(Vec<Layer>, Along<'_>), Located> {
         let mut layers = Vec::new();
         let mut along = Vec::new();
         for layer in self.layup.layers.iter().filter(|layer| self.has(layer)) {
@@ -50,8 +70,8 @@ impl<'a> Resolver<'a> {
                 continue;
             }
             let thickness = layer.thickness.at(self.eta);
-            if layer.web.is_some() {
-                along.push(layers.len());
+            if let Some((web, _)) = &layer.web {
+                along.push((web.as_str(), layers.len()));
             }
             layers.push(Layer {
                 name: layer.name.clone(),
@@ -62,34 +82,38 @@ impl<'a> Resolver<'a> {
                 profile: layer.profile.clone(),
             });
         }
+        Ok((layers, along))
+    }
+
+    /// The webs, and the spar of the layers `along` one of them.
+    fn webs(&self, along: &[(&str, usize)]) -> Result<(Vec<Web>, Option<Spar>), Located> {
         let mut webs = Vec::new();
-        let mut spar = None;
+        let mut spar: Option<Spar> = None;
         for web in &self.layup.webs {
             if self.eta < web.range[0] || self.eta > web.range[1] {
                 continue;
             }
             let made = self.web(web)?;
             if self.layup.is_of_spar(web) {
-                spar = (!along.is_empty()).then(|| Spar {
+                let of_it = along.iter().filter(|(of, _)| *of == web.name);
+                let layers: Vec<usize> = of_it.map(|(_, number)| *number).collect();
+                if layers.is_empty() {
+                    continue;
+                }
+                if let Some(other) = spar {
+                    let webs = [other.web, made.name];
+                    return Err((web.line, LayupFileProblem::TwoSpars { webs }));
+                }
+                spar = Some(Spar {
                     web: made.name,
                     arcs: made.arcs,
-                    layers: std::mem::take(&mut along),
+                    layers,
                 });
             } else {
                 webs.push(made);
             }
         }
-        let fills = self.layup.fills.iter();
-        let fills = fills.filter(|fill| self.eta >= fill.range[0] && self.eta <= fill.range[1]);
-        let fills: Result<_, Located> = fills.map(|fill| self.fill(fill)).collect();
-        Ok(LayupSection {
-            contour: self.layup.shape.contour(self.eta),
-            layers,
-            webs,
-            spar,
-            fills: fills?,
-            size: self.layup.size,
-        })
+        Ok((webs, spar))
     }
 
     fn web(&self, web: &WrittenWeb) -> Result<Web, Located> {

@@ -15,6 +15,7 @@ use super::keys::{
     AIRFOILS, AT_ETA, AT_THICKNESS, CHORD, CIRCLE, FILE, NACA, OFFSET, ORIGIN, POINTS,
     RELATIVE_THICKNESS,
 };
+use super::place::refuse_trailing_edge;
 use super::problem::LayupFileProblem;
 use crate::mesh::generate::blade::naca;
 use crate::mesh::generate::layup::Outline;
@@ -125,6 +126,7 @@ impl Shape {
 
     /// Reads `[shape]`.
     pub(super) fn read(document: &Document, table: &Table<'_>) -> Option<Self> {
+        refuse_trailing_edge(table);
         let (chord, origin, offset) = (table.get(&CHORD), table.get(&ORIGIN), table.get(&OFFSET));
         let families = [NACA.name(), FILE.name(), POINTS.name(), AIRFOILS.name()];
         let found = families.iter().filter(|key| table.has(key)).count();

@@ -69,22 +69,29 @@ impl SpanStation {
     }
 }
 
-/// A layer or ply that no station has.
+/// A layer, ply, web or fill that no station has.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MissedLayer {
+    /// What it is.
+    kind: &'static str,
     name: String,
     line: usize,
-    /// First and last position at which its table has a thickness [-].
+    /// First and last position at which it is there [-].
     range: [f64; 2],
 }
 
 impl std::fmt::Display for MissedLayer {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { name, line, range } = self;
+        let Self {
+            kind,
+            name,
+            line,
+            range,
+        } = self;
         let [from, to] = range.map(crate::mesh::short);
         write!(
             f,
-            "line {line}: layer \"{name}\" is there from eta {from} to {to}, and at no station"
+            "line {line}: {kind} \"{name}\" is there from eta {from} to {to}, and at no station"
         )
     }
 }
@@ -115,13 +122,16 @@ pub(super) fn stations(root: &Table<'_>) -> Option<Vec<f64>> {
     Some(all)
 }
 
-/// Names of the layers and plies of sections.
+/// Names of the layers, plies, webs and fills of sections.
 fn present(sections: &[LayupSection]) -> BTreeSet<&str> {
     let mut found = BTreeSet::new();
     for section in sections {
         found.extend(section.layers.iter().map(|layer| layer.name.as_str()));
-        let plies = section.webs.iter().flat_map(|web| &web.plies);
-        found.extend(plies.map(|ply| ply.name.as_str()));
+        let webs = section.webs.iter().filter(|web| !web.plies.is_empty());
+        found.extend(webs.clone().map(|web| web.name.as_str()));
+        found.extend(webs.flat_map(|web| &web.plies).map(|ply| ply.name.as_str()));
+        found.extend(section.spar.iter().map(|spar| spar.web.as_str()));
+        found.extend(section.fills.iter().map(|fill| fill.name.as_str()));
     }
     found
 }
@@ -190,7 +200,8 @@ impl Layup {
             .collect()
     }
 
-    /// The layers and plies that are present between `stations`, at none of them.
+    /// The layers, plies, webs and fills that are present between `stations`, at none of them; a web
+    /// stands for its plies.
     pub fn missed_layers(&self, stations: &[SpanStation]) -> Vec<MissedLayer> {
         let sections = stations
             .iter()
@@ -199,24 +210,52 @@ impl Layup {
             return Vec::new();
         };
         let found = present(&sections);
-        let plies = self.webs.iter().flat_map(|web| &web.plies);
-        let all = self.layers.iter().chain(plies);
-        let missed: Vec<&WrittenLayer> = all
-            .filter(|layer| !found.contains(layer.name.as_str()))
-            .collect();
-        if missed.is_empty() {
+        let is_missed = |name: &str| !found.contains(name);
+        let all = self
+            .layers
+            .iter()
+            .chain(self.webs.iter().flat_map(|web| &web.plies));
+        let webs = self.webs.iter().map(|web| web.name.as_str());
+        let fills = self.fills.iter().map(|fill| fill.name.as_str());
+        let mut names = all
+            .map(|layer| layer.name.as_str())
+            .chain(webs)
+            .chain(fills);
+        if !names.any(is_missed) {
             return Vec::new();
         }
         let absent = self.absent_layers();
-        let is_absent = |layer: &&WrittenLayer| absent.contains(&(layer.name.as_str(), layer.line));
-        let missed = missed.into_iter().filter(|layer| !is_absent(layer));
+        let is_there = |layer: &&WrittenLayer| !absent.contains(&(layer.name.as_str(), layer.line));
+        let mut missed = Vec::new();
+        let mut note = |kind, (name, line): (&String, usize), range| {
+            missed.extend(is_missed(name).then(|| MissedLayer {
+                kind,
+                name: name.clone(),
+                line,
+                range,
+            }));
+        };
+        for layer in self.layers.iter().filter(is_there) {
+            note("layer", (&layer.name, layer.line), range_of(layer));
+        }
+        for web in &self.webs {
+            let plies: Vec<&WrittenLayer> = web.plies.iter().filter(is_there).collect();
+            if is_missed(&web.name) {
+                if !plies.is_empty() || self.is_of_spar(web) {
+                    note("web", (&web.name, web.line), web.range);
+                }
+                continue;
+            }
+            for ply in plies {
+                let [from, to] = range_of(ply);
+                let range = [from.max(web.range[0]), to.min(web.range[1])];
+                note("layer", (&ply.name, ply.line), range);
+            }
+        }
+        for fill in &self.fills {
+            note("fill", (&fill.name, fill.line), fill.range);
+        }
         missed
-            .map(|layer| MissedLayer {
-                name: layer.name.clone(),
-                line: layer.line,
-                range: range_of(layer),
-            })
-            .collect()
     }
 
     /// Positions between root and tip at which the layup jumps, ascending [-].

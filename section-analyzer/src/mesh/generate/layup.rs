@@ -19,6 +19,7 @@ use super::super::SectionMesh;
 
 mod area;
 mod build;
+mod butt;
 mod column;
 mod fill;
 mod line;

@@ -132,9 +132,10 @@ fn report_others(structure: &Node, notes: &mut Notes) {
     if !others.is_empty() {
         let line = structure.line;
         let others = others.join(", ");
-        notes
-            .remarks
-            .push(format!("line {line}: not meshed: {others}"));
+        notes.remarks.push(format!(
+            "line {line}: not meshed: {others}; a layer, or a [[fill]] for an adhesive, in the \
+                 layup file that `layup --out` writes can stand for it"
+        ));
     }
 }
 

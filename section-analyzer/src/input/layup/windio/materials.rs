@@ -88,7 +88,9 @@ fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Op
     text += &law?;
     // writing to a string cannot fail
     let _ = writeln!(text, "density = {:?}", density?[0]);
-    text += &strength(node, name, is_orthotropic, notes);
+    let strength = strength(node, name, is_orthotropic, notes);
+    text += &strength;
+    text += &fatigue(node, (&of, is_orthotropic), !strength.is_empty(), notes);
     Some(text)
 }
 
@@ -193,6 +195,50 @@ fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) ->
     let rows = needed.into_iter().chain(others);
     let rows = rows.filter_map(|(key, value)| value.map(|value| row(key, value)));
     head + &rows.collect::<String>()
+}
+
+/// The slopes `m` of S-N lines, at the end of the table of strengths, if there is one; the stress `A` at
+/// one cycle is that of the strengths here. What is not taken is a remark.
+fn fatigue(
+    node: &Node,
+    (of, is_orthotropic): (&str, bool),
+    has_strength: bool,
+    notes: &mut Notes,
+) -> String {
+    let mut read = |key: &str| -> Vec<f64> {
+        let Some(at) = node.entry(key) else {
+            return Vec::new();
+        };
+        let list = match &at.value {
+            Value::List(_) => numbers(at, key, &mut notes.problems).unwrap_or_default(),
+            _ => at.text().and_then(number).into_iter().collect(),
+        };
+        // zeros stand for no value
+        list.into_iter().filter(|value| *value != 0.0).collect()
+    };
+    let [slopes, intercepts] = ["m", "A"].map(&mut read);
+    if !intercepts.is_empty() {
+        notes.remarks.push(format!(
+            "line {}: {of}: A is not used, S-N lines begin at the strengths",
+            node.line
+        ));
+    }
+    if slopes.is_empty() {
+        return String::new();
+    }
+    if !has_strength {
+        notes.remarks.push(format!(
+            "line {}: {of}: m is not used without Xt, Xc and S of all directions of a criterion",
+            node.line
+        ));
+        return String::new();
+    }
+    let keys = ["m", "m_matrix"]
+        .into_iter()
+        .take(if is_orthotropic { 2 } else { 1 });
+    let rows = keys.zip(slopes);
+    rows.map(|(key, slope)| format!("{key} = {slope:?}\n"))
+        .collect()
 }
 
 /// `N` numbers: one value, or a list; notes others.

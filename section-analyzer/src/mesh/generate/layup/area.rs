@@ -75,9 +75,10 @@ pub(super) fn check(areas: &[LayerArea]) -> Result<(), LayupProblem> {
 
 /// Areas of the layers of the shell on the curved surface.
 fn nominal(wall: &Wall) -> Vec<f64> {
-    let [from, to] = match wall.edge {
-        super::wall::Edge::Face => wall.ends,
-        _ => [0.0, wall.outline.perimeter()],
+    let [from, to] = if wall.edge.is_ring() {
+        [0.0, wall.outline.perimeter()]
+    } else {
+        wall.ends
     };
     let mut sums = vec![0.0; wall.stack.len()];
     // the layers of a spar end without a ramp

@@ -7,6 +7,7 @@ use shared_geom::mesh::Mesh;
 use super::super::super::distance;
 use super::super::grid::Grid;
 use super::KIND;
+use super::butt::add_butt;
 use super::column::Column;
 use super::fill::add_fills;
 use super::problem::LayupProblem;
@@ -14,7 +15,7 @@ use super::spar::SIDES;
 use super::spar::SparWall;
 use super::stations::{Station, Stations, stations};
 use super::types::{LayupSection, MOST_CELLS};
-use super::wall::{Edge, Wall};
+use super::wall::Wall;
 use super::webs::{Standing, stand};
 
 /// Distance of the middle of a side from its chord, as a part of it, beyond which the
@@ -66,6 +67,9 @@ pub(super) fn mesh(section: &LayupSection, wall: &Wall) -> Result<Mesh, LayupPro
         let nodes = add_web(wall, web, &rows, &mut grid);
         lines.extend(Some(nodes).filter(|_| web.plies.is_empty()));
     }
+    if let (Some(web), [first, .., last]) = (section.at_edge().next(), &rows[..]) {
+        add_butt(web, [&first.nodes, &last.nodes], wall.size, &mut grid);
+    }
     add_fills(section, wall.size, &webs, &lines, &mut grid)?;
     Ok(grid.mesh(KIND))
 }
@@ -87,7 +91,7 @@ fn names(wall: &Wall) -> [Vec<[String; 2]>; 2] {
 fn rows(wall: &Wall, stations: &Stations, grid: &mut Grid) -> Vec<Row> {
     let mut shared: HashMap<usize, u32> = HashMap::new();
     let mut rows: Vec<Row> = Vec::with_capacity(stations.all.len());
-    let is_ring = wall.edge != Edge::Face;
+    let is_ring = wall.edge.is_ring();
     for (index, station) in stations.all.iter().enumerate() {
         let (column, contact) = column_at(wall, stations, *station);
         if is_ring && index + 1 == stations.all.len() {

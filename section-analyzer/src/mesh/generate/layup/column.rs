@@ -9,7 +9,7 @@
 //! v = (1 - w) n + w u / (u . n)              before and behind the contact,
 //! ```
 //!
-//! all with v . n = 1.
+//! all with v . n = 1. At a web at the trailing edge, u is the base.
 
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
@@ -32,9 +32,10 @@ pub(super) struct Column {
 impl Wall {
     /// The column at an arc length.
     pub fn column(&self, s: f64) -> Column {
-        let s = match self.edge {
-            Edge::Face => s,
-            _ => s.rem_euclid(self.outline.perimeter()),
+        let s = if self.edge.is_ring() {
+            s.rem_euclid(self.outline.perimeter())
+        } else {
+            s
         };
         let point = self.outline.position(s);
         let side = usize::from(s > self.outline.nose());
@@ -78,7 +79,7 @@ impl Wall {
         let (n, sign) = (self.outline.inward(s), [1.0, -1.0][side]);
         let lean = weight * sign / pair.cosines[side];
         let along = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
-        let is_closed = weight >= 1.0;
+        let is_closed = weight >= 1.0 && !self.is_on_base(s);
         let limit = is_closed.then(|| pair.limit(side, &self.stack));
         Column {
             point: self.outline.position(s),
@@ -87,6 +88,14 @@ impl Wall {
             knee: None,
             is_closed,
         }
+    }
+
+    /// Whether a column is at a web at the trailing edge, where it does not meet that of the other
+    /// side.
+    fn is_on_base(&self, s: f64) -> bool {
+        let near = 1e-9 * self.outline.perimeter();
+        let mut ends = self.ends.into_iter();
+        self.edge == Edge::Butt && ends.any(|end| (end - s).abs() < near)
     }
 
     /// The column at an arc length if it bends beside the web of a spar.

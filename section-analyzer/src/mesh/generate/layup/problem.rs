@@ -75,6 +75,30 @@ pub enum LayupProblem {
         /// Its arcs [-].
         arcs: [f64; 2],
     },
+    /// Two webs at the trailing edge.
+    #[error("webs \"{}\" and \"{}\" are both at the trailing edge", .webs[0], .webs[1])]
+    TwoAtEdge {
+        /// The webs.
+        webs: [String; 2],
+    },
+    /// A web at a trailing edge without room for it.
+    #[error("web \"{web}\" at the trailing edge stands on a flat base of {}, of which the layers of both sides take {}", short(*.base), short(*.taken))]
+    NoRoomAtEdge {
+        /// The web.
+        web: String,
+        /// Length of the base [unit of the mesh].
+        base: f64,
+        /// Length that the layers of both sides take of it [unit of the mesh].
+        taken: f64,
+    },
+    /// Layers of both sides that meet before a web at the trailing edge.
+    #[error("the layers of both sides meet from arc {} to {}, ahead of web \"{web}\" at the trailing edge, which stands between them", short(.contact[0]), short(.contact[1]))]
+    ContactAtEdge {
+        /// The web.
+        web: String,
+        /// Arcs of the contact on the suction side [-].
+        contact: [f64; 2],
+    },
     /// Points that are no contour.
     #[error("the contour {why}")]
     Contour {
@@ -232,7 +256,10 @@ impl LayupProblem {
             | Self::Area { layer, .. }
             | Self::BehindSpar { layer, .. }
             | Self::AtSpar { layer, .. } => Some(layer),
-            Self::SparPlies { web, .. } => Some(web),
+            Self::SparPlies { web, .. }
+            | Self::NoRoomAtEdge { web, .. }
+            | Self::ContactAtEdge { web, .. } => Some(web),
+            Self::TwoAtEdge { webs } => Some(&webs[1]),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
             | Self::WebInContact { web, .. } => Some(web.name()),
@@ -262,6 +289,11 @@ impl Explain for LayupProblem {
             }
             Self::WebArcs { .. } => {
                 "the first arc is on the suction side, the second on the pressure side"
+            }
+            Self::TwoAtEdge { .. } => "put the plies of both in one web",
+            Self::NoRoomAtEdge { .. } | Self::ContactAtEdge { .. } => {
+                "thinner layers there, a contour that is cut off where it is thicker, or no web at the \
+                 trailing edge: the layers are then closed as its base allows"
             }
             Self::Open => "let a layer run all around, from arc 0 to 1",
             Self::Tight { .. } => "thinner layers there, or layers that end before it",

@@ -57,9 +57,8 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
     let single = |s: f64| Station { s, pair: None };
     let mut singles = vec![wall.outline.nose()];
     singles.extend(wall.outline.breaks().iter().map(|corner| corner.s));
-    match wall.edge {
-        Edge::Smooth => {}
-        Edge::Wall | Edge::Face => singles.extend(wall.ends),
+    if wall.edge != Edge::Smooth {
+        singles.extend(wall.ends);
     }
     let of_webs = webs.iter().flat_map(|web| web.stations.iter().flatten());
     singles.extend(of_webs);
@@ -80,7 +79,7 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
         }
     }
     all.sort_by(|a, b| a.s.total_cmp(&b.s));
-    if wall.edge != Edge::Face {
+    if wall.edge.is_ring() {
         let first = all[0];
         all.push(Station {
             s: first.s + perimeter,
@@ -94,14 +93,15 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
 }
 
 fn is_inside(wall: &Wall, s: f64) -> bool {
-    wall.edge != Edge::Face || (s > wall.ends[0] && s < wall.ends[1])
+    wall.edge.is_ring() || (s > wall.ends[0] && s < wall.ends[1])
 }
 
 fn apart(wall: &Wall, a: f64, b: f64) -> f64 {
     let distance = (a - b).abs();
-    match wall.edge {
-        Edge::Face => distance,
-        _ => distance.min(wall.outline.perimeter() - distance),
+    if wall.edge.is_ring() {
+        distance.min(wall.outline.perimeter() - distance)
+    } else {
+        distance
     }
 }
 

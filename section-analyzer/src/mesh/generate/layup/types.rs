@@ -55,10 +55,26 @@ pub struct Layer {
 pub struct Web {
     /// Its name.
     pub name: String,
-    /// Arcs of its middle line on the suction and the pressure side [-].
+    /// Arcs of its middle line on the suction and the pressure side; 0 and 1 for the web at the
+    /// trailing edge, which lies behind the base and on which both sides end [-].
     pub arcs: [f64; 2],
     /// Its plies, from the leading edge aft.
     pub plies: Vec<WebPly>,
+}
+
+impl Web {
+    /// Whether it is at the trailing edge.
+    pub(super) fn is_at_edge(&self) -> bool {
+        self.arcs[0] <= 0.0 && self.arcs[1] >= 1.0
+    }
+}
+
+impl LayupSection {
+    /// The webs at the trailing edge that have plies; a section can have one.
+    pub(super) fn at_edge(&self) -> impl Iterator<Item = &Web> {
+        let webs = self.webs.iter().filter(|web| web.is_at_edge());
+        webs.filter(|web| !web.plies.is_empty())
+    }
 }
 
 /// A ply of a web.
@@ -180,7 +196,12 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
     if let Some(spar) = &section.spar {
         check_spar(section, spar)?;
     }
-    for web in &section.webs {
+    let mut at_edge = section.at_edge().map(|web| web.name.clone());
+    if let (Some(first), Some(second)) = (at_edge.next(), at_edge.next()) {
+        let webs = [first, second];
+        return Err(LayupProblem::TwoAtEdge { webs });
+    }
+    for web in section.webs.iter().filter(|web| !web.is_at_edge()) {
         let [suction, pressure] = web.arcs;
         if !(suction > 0.0 && pressure < 1.0 && suction < pressure) {
             return Err(LayupProblem::WebArcs {
@@ -220,6 +241,14 @@ fn check_spar(section: &LayupSection, spar: &Spar) -> Result<(), LayupProblem> {
 
 /// Checks that the webs of the bounds of a fill stand, and that its lines go from side to side.
 fn check_bounds(section: &LayupSection, fill: &Fill) -> Result<(), LayupProblem> {
+    let is_behind = |bound: &Bound| {
+        let mut webs = section.at_edge();
+        matches!(bound, Bound::Web(name) if webs.any(|web| web.name == *name))
+    };
+    if fill.aft_of.as_ref().is_some_and(is_behind) {
+        let fill = fill.name.clone();
+        return Err(LayupProblem::NoSpace { fill });
+    }
     for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
         match bound {
             Bound::Web(name) => {

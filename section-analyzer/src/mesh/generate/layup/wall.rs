@@ -7,7 +7,7 @@ use super::pairs::{FOREMOST, Pair, Pairs};
 use super::problem::{LayupProblem, Upright};
 use super::spar::{SIDES, SparWall};
 use super::stack::Stack;
-use super::types::LayupSection;
+use super::types::{LayupSection, Web};
 
 /// Reach of a contact, in sizes of cells and in thicknesses.
 const REACH: [f64; 2] = [2.5, 1.5];
@@ -16,6 +16,8 @@ const FULL: f64 = 0.98;
 /// Samples around the contour in the search for radii.
 const SAMPLES: usize = 500;
 
+/// Least part of the base between the layers of both sides at a web.
+const LEAST_GAP: f64 = 0.05;
 /// Part of the contour within which two points of it are one.
 const SEAM: f64 = 1e-4;
 
@@ -32,6 +34,15 @@ pub(super) enum Edge {
     Wall,
     /// Both sides end, and meet.
     Face,
+    /// Both sides end on a web.
+    Butt,
+}
+
+impl Edge {
+    /// Whether the layers run through the trailing edge.
+    pub fn is_ring(self) -> bool {
+        matches!(self, Self::Smooth | Self::Wall)
+    }
 }
 
 /// The wall of a section.
@@ -63,6 +74,52 @@ impl Wall {
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
+        let wall = match section.at_edge().next() {
+            Some(web) => Self::ended((section, web), outline, size, reach),
+            None => Self::closed(section, outline, size, reach),
+        }?;
+        wall.check_radii()?;
+        wall.check_spar()?;
+        Ok(wall)
+    }
+
+    /// The wall that a web at the trailing edge closes.
+    fn ended(
+        (section, web): (&LayupSection, &Web),
+        outline: &Outline,
+        size: f64,
+        reach: Reach,
+    ) -> Result<Self, LayupProblem> {
+        let mut wall = Self {
+            edge: Edge::Butt,
+            ..Self::of_kind(section, outline, size, false)?
+        };
+        if wall.ends.iter().any(|s| wall.stack.total(*s) <= 0.0) {
+            return Err(LayupProblem::Open);
+        }
+        let (web, base) = (web.name.clone(), outline.base());
+        let pair = wall.pairs.pair(1.0);
+        let taken = pair.need(0, &wall.stack) + pair.need(1, &wall.stack);
+        if base - taken < LEAST_GAP * base || base <= 0.0 {
+            return Err(LayupProblem::NoRoomAtEdge { web, base, taken });
+        }
+        wall.find_contacts(reach);
+        let at_end = wall.contacts.last().filter(|one| one[1] >= 1.0);
+        if let Some([from, to]) = at_end.filter(|one| one[0] < 1.0) {
+            let arc = |x: &f64| wall.pairs.at(0, *x) / outline.perimeter();
+            let contact = [arc(to), arc(from)];
+            return Err(LayupProblem::ContactAtEdge { web, contact });
+        }
+        Ok(wall)
+    }
+
+    /// The wall whose layers close the trailing edge.
+    fn closed(
+        section: &LayupSection,
+        outline: &Outline,
+        size: f64,
+        reach: Reach,
+    ) -> Result<Self, LayupProblem> {
         let ring = Self::of_kind(section, outline, size, true)?;
         let mut wall = match outline.is_smooth() {
             true => Self {
@@ -84,8 +141,6 @@ impl Wall {
             wall.cut_thin_edge()?;
             wall.find_contacts(reach);
         }
-        wall.check_radii()?;
-        wall.check_spar()?;
         Ok(wall)
     }
 
@@ -210,7 +265,8 @@ impl Wall {
 
     /// Finds where the layers meet, and the zones around.
     fn find_contacts(&mut self, Reach(factor): Reach) {
-        let is_face = self.edge == Edge::Face;
+        // also the columns at a web lean onto the base
+        let is_face = !self.edge.is_ring();
         let points = self.samples();
         let is_thick = |s: f64| self.stack.total(s) > self.radius(s, &points);
         let can_meet = |pair: &Pair| is_face || pair.s.into_iter().any(is_thick);

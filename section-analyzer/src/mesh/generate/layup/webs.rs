@@ -74,7 +74,8 @@ fn upright(web: &Web) -> Upright {
 
 /// The webs with plies, and the lines that bound fills.
 fn uprights(section: &LayupSection) -> Vec<Web> {
-    let webs = section.webs.iter().filter(|web| !web.plies.is_empty());
+    let is_inside = |web: &&Web| !web.plies.is_empty() && !web.is_at_edge();
+    let webs = section.webs.iter().filter(is_inside);
     let mut all: Vec<Web> = webs.cloned().collect();
     for fill in &section.fills {
         for bound in [&fill.ahead_of, &fill.aft_of].into_iter().flatten() {
