@@ -62,7 +62,7 @@ keys! {
     /// Lengths from the root along the line, ascending.
     SPAN: ByHand = "span", [Quantities(Dimension::LENGTH)], required, "[0, 12, 60]";
     /// The values there.
-    VALUE: ByHand = "value", [FreeMatrix], required, "[3.5, 4.6, 1]";
+    VALUE: ByHand = "value", [FreeMatrix], required, "[1.5, 1.9, 1]";
     /// Table with named columns, from the folder of this file.
     FILE: String = "file", [Text], required, "\"blade.csv\"";
     /// The column of the values.

@@ -201,7 +201,7 @@ impl Layup {
     }
 
     /// The layers, plies, webs and fills that are present between `stations`, at none of them; a web
-    /// stands for its plies.
+    /// has the names of its plies.
     pub fn missed_layers(&self, stations: &[SpanStation]) -> Vec<MissedLayer> {
         let sections = stations
             .iter()

@@ -198,7 +198,7 @@ fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) ->
 }
 
 /// The slopes `m` of S-N lines, at the end of the table of strengths, if there is one; the stress `A` at
-/// one cycle is that of the strengths here. What is not taken is a remark.
+/// one cycle is the strength here. Values that are not used are remarks.
 fn fatigue(
     node: &Node,
     (of, is_orthotropic): (&str, bool),
@@ -213,7 +213,7 @@ fn fatigue(
             Value::List(_) => numbers(at, key, &mut notes.problems).unwrap_or_default(),
             _ => at.text().and_then(number).into_iter().collect(),
         };
-        // zeros stand for no value
+        // zeros are no value
         list.into_iter().filter(|value| *value != 0.0).collect()
     };
     let [slopes, intercepts] = ["m", "A"].map(&mut read);

@@ -49,7 +49,7 @@ pub(super) fn add_butt(web: &Web, ends: [&[u32]; 2], size: f64, grid: &mut Grid)
     }
 }
 
-/// The nodes on the base from the suction to the pressure side: those of the end columns, and new
+/// The nodes on the base from the suction to the pressure side: the ones of the end columns, and new
 /// ones between them.
 fn along_base([suction, pressure]: [&[u32]; 2], size: f64, grid: &mut Grid) -> Vec<u32> {
     let [from, to] = [suction, pressure].map(|end| grid.position(end[end.len() - 1]));

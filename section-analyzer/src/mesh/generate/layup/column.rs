@@ -90,7 +90,7 @@ impl Wall {
         }
     }
 
-    /// Whether a column is at a web at the trailing edge, where it does not meet that of the other
+    /// Whether a column is at a web at the trailing edge, where it does not meet a column of the other
     /// side.
     fn is_on_base(&self, s: f64) -> bool {
         let near = 1e-9 * self.outline.perimeter();

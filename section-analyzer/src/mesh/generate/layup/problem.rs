@@ -81,7 +81,7 @@ pub enum LayupProblem {
         /// The webs.
         webs: [String; 2],
     },
-    /// A web at a trailing edge without room for it.
+    /// A web at a trailing edge whose base is too short for it.
     #[error("web \"{web}\" at the trailing edge stands on a flat base of {}, of which the layers of both sides take {}", short(*.base), short(*.taken))]
     NoRoomAtEdge {
         /// The web.
