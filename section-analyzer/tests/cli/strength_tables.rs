@@ -297,8 +297,8 @@ fn layers_between_stations_are_reported() {
                 [[fill]]\nname = \"core\"\nmaterial = \"lead\"\nahead_of = \"web\"\n\
                 eta = [0.61, 0.72]\n[mesh]";
     workplace.write("a.layup.toml", &LAYUP.replace("[mesh]", more));
-    let web = "line 43: web \"rib\" is there from eta 0.62 to 0.74, and at no station";
-    let fill = "line 48: fill \"core\" is there from eta 0.61 to 0.72, and at no station";
+    let web = "line 42: web \"rib\" is there from eta 0.62 to 0.74, and at no station";
+    let fill = "line 47: fill \"core\" is there from eta 0.61 to 0.72, and at no station";
     assert_eq!(warnings(&check("0.1,0.5,0.9")), [tip, web, fill]);
     assert!(warnings(&check("0.1,0.7,0.9")).is_empty());
 }

@@ -127,7 +127,7 @@ keys! {
     pub(super) FILE: String = "file", [Text], required, "\"airfoil.dat\"";
     /// Rows of x/c and z/c, from the trailing edge over the suction side to the nose and back; a
     /// point given twice is a corner.
-    pub(super) POINTS: ByHand = "points", [FreeMatrix], required, "[[1, 0], [0.9, 0.02]]";
+    pub(super) POINTS: ByHand = "points", [FreeMatrix], required, "[[1, 0], [0.3, 0.06]]";
     /// Airfoils along the span, in its order, or of ascending thickness.
     pub(super) AIRFOILS: NestedList = "airfoils", [Tables(&AIRFOIL)], required, "";
     /// Position along the span, 0 at the root to 1 at the tip.
