@@ -40,10 +40,6 @@ fn shapes_that_no_blade_has_are_errors() {
             "thickness",
         ),
         (
-            "chord = 1\n[[shape.airfoils]]\neta = 0\nthickness = 0.9\nnaca = \"0012\"".into(),
-            "thickness",
-        ),
-        (
             "chord = 1\n[[shape.airfoils]]\neta = 0\ncircle = false".into(),
             "circle",
         ),

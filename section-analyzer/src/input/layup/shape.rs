@@ -145,17 +145,7 @@ impl Shape {
         }
         let airfoils = if table.has(&AIRFOILS) {
             table.each(&AIRFOILS, |one| {
-                let (key, other) = match by_thickness {
-                    true => (&AT_THICKNESS, &AT_ETA),
-                    false => (&AT_ETA, &AT_THICKNESS),
-                };
-                if one.has(other) {
-                    one.wrong(
-                        other,
-                        "\"eta\", or \"thickness\" if [shape] has a \"thickness\"",
-                    );
-                    return None;
-                }
+                let key = if by_thickness { &AT_THICKNESS } else { &AT_ETA };
                 let at = one.require_item(key, "a number from 0 to 1");
                 let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
