@@ -293,6 +293,16 @@ pub fn quoted<T: fmt::Display>(names: &[T]) -> String {
     }
 }
 
+/// Words joined by commas, and the last one by "and".
+pub fn joined<T: AsRef<str>>(words: &[T]) -> String {
+    let words: Vec<_> = words.iter().map(AsRef::as_ref).collect();
+    match &words[..] {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
 /// Names joined by commas, in lines of a help.
 pub fn listed(names: &[String]) -> String {
     const WIDTH: usize = 90;

@@ -83,6 +83,11 @@ impl Expression {
     }
 }
 
+/// The words of the text of an expression: names, functions and numbers.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+}
+
 /// Content of a text of an input file that is an expression: the part after `=`.
 pub fn written(text: &str) -> Option<&str> {
     text.trim_start().strip_prefix('=')

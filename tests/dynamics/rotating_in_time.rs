@@ -15,7 +15,8 @@ use crate::record;
 
 const SOURCE: &str = "the same elements in an independent script";
 const CASE: &str = "rotating beam, eta = 6, 2 elements";
-const SPEED: f64 = 6.0;
+/// Speed of the hub \[rad/s\].
+pub const SPEED: f64 = 6.0;
 /// Error of a frequency w by the two-step formula of radius 0.6 with beta = 1/3, over (w h)^2: its
 /// constant 0.132 by 1 + beta.
 const OF_FORMULA: f64 = 0.099;
@@ -24,7 +25,8 @@ const AMPLITUDE: f64 = 1e-3;
 /// Three periods, 0.855 s each.
 const TO: f64 = 2.6;
 
-const BEAM: &str = r#"name = "rotating beam"
+/// The beam, with a place for cards of its hub.
+pub const BEAM: &str = r#"name = "rotating beam"
 units = { length = "m", force = "N", angle = "rad", rotation_speed = "rad/s" }
 
 [properties.beam]

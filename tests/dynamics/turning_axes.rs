@@ -8,55 +8,25 @@ use nalgebra::Vector3;
 use crate::in_time::Run;
 use crate::periodic::Kept;
 use crate::record;
+use crate::rotating_in_time::{BEAM, SPEED};
 
-const SPEED: f64 = 6.0;
 /// Steps of a revolution: 20 degrees each.
 const STEPS: u32 = 18;
 
-/// One blade on a hub that turns freely.
-const FREE: &str = r#"name = "free shaft"
-units = { length = "m", force = "N", angle = "rad", rotation_speed = "rad/s" }
+/// The beam on a hub that turns freely.
+fn free() -> String {
+    let hub = "mass = 1\ninertia = [1, 1, 1]\nsupport = { torsion = 0 }\n";
+    let run = "[transient]\nto = 1\nstep = 0.1\nstart = \"rotating\"\nspeed = \"6 rad/s\"\n\
+               newton.tolerance = 1e-12\n";
+    BEAM.replace("HUB", hub) + run
+}
 
-[properties.beam]
-ea = 1e5
-gay = 1e4
-gaz = 1e4
-gj = 1
-eiy = 1
-eiz = 1
-m = 1
-iy = 5e-4
-iz = 5e-4
-
-[hub]
-axis = [0, 0, 1]
-mass = 1
-inertia = [1, 1, 1]
-support = { torsion = 0 }
-
-[[blade]]
-name = "beam"
-hub_radius = 0.1
-properties = "beam"
-
-[[blade.piece]]
-length = 1
-elements = 2
-
-[transient]
-to = 1
-step = 0.1
-start = "rotating"
-speed = "6 rad/s"
-newton.tolerance = 1e-12
-"#;
-
-// In space axes the speed of this shaft falls by 4 % in the first step of 20 degrees of the two-step
-// scheme, and the tip leaves its circle. Here both stay, for schemes of one and two steps, of one and
-// two stages, and of first order. Tolerance: equilibria and steps are converged to 1e-10 and 1e-12.
+// In space axes a free shaft at 300 rpm lost 1 % of its speed in the first step of 5 ms, 9 degrees. Here
+// the speed and the circle of the tip stay in steps of 20 degrees, for schemes of one and two steps, of one
+// and two stages, and of first order. Tolerance: equilibria and steps are converged to 1e-10 and 1e-12.
 #[test]
 fn a_steady_rotation_is_exact_for_any_step() {
-    let input = beam_dynamics::input::parse(FREE, "free.dynamics.toml").unwrap();
+    let input = beam_dynamics::input::parse(&free(), "free.dynamics.toml").unwrap();
     for scheme in [
         Scheme::ImplicitEuler,
         Scheme::default(),

@@ -205,14 +205,13 @@ fn of(at: &Operation<'_>) -> Result<LinearModel, LinearFailure> {
     if unknowns > LARGEST {
         return Err(LinearFailure::Large { unknowns });
     }
-    let own = at
-        .averaged
-        .is_none()
-        .then(|| system.tangent(state, conditions));
-    let tangent = match (&own, at.averaged) {
-        (Some(own), _) => own,
-        (None, Some(averaged)) => &averaged.tangent,
-        (None, None) => return Err(LinearFailure::NotFinite),
+    let own;
+    let tangent = match at.averaged {
+        Some(averaged) => &averaged.tangent,
+        None => {
+            own = system.tangent(state, conditions);
+            &own
+        }
     };
     let rate = highest_of_a_node(tangent, system.nodes().len()).unwrap_or(1.0);
     let first = system.numbering().first_scalar();

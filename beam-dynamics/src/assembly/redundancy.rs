@@ -25,7 +25,7 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, joined};
 
 use super::System;
 use super::elimination::Echelon;
@@ -122,8 +122,7 @@ fn sources(joint: &str, from: &[String]) -> String {
     }
     match &words[..] {
         [] => "nothing: its derivatives are zero".to_owned(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        words => joined(words),
     }
 }
 

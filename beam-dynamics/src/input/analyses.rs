@@ -142,16 +142,28 @@ impl Analyses {
         trim.filter(|trim| trim.method == TrimMethod::Equilibrium)
     }
 
-    /// The cards of equilibria and modes, which are at time zero.
-    pub fn without_time(&self) -> Vec<&'static str> {
+    /// The cards of equilibria and modes, which are at time zero, with their lowest and highest rotor
+    /// speed \[rad/s\].
+    pub fn without_time(&self) -> Vec<(&'static str, [f64; 2])> {
+        let of_modes =
+            |modes: &ModesSettings| Some([*modes.speeds.first()?, *modes.speeds.last()?]);
+        let one = |speed: f64| [speed; 2];
         let cards = [
-            ("[modes]", self.modes.is_some()),
-            ("[static]", self.statics.is_some()),
-            ("[buckling]", self.buckling.is_some()),
-            ("[trim]", self.trimmed_equilibrium().is_some()),
+            ("[modes]", self.modes.as_ref().and_then(of_modes)),
+            ("[static]", self.statics.as_ref().map(|own| one(own.speed))),
+            (
+                "[buckling]",
+                self.buckling.as_ref().map(|own| one(own.speed)),
+            ),
+            (
+                "[trim]",
+                self.trimmed_equilibrium().map(|own| one(own.speed)),
+            ),
         ];
-        let found = cards.into_iter().filter(|card| card.1);
-        found.map(|card| card.0).collect()
+        let found = cards.into_iter();
+        found
+            .filter_map(|(card, speeds)| Some((card, speeds?)))
+            .collect()
     }
 
     /// The first and the last time at which drives are evaluated \[s\]: equilibria and
@@ -178,12 +190,8 @@ impl Analyses {
 
     /// The highest rotor speed of all analyses of steady states [rad/s].
     pub fn highest_speed(&self) -> f64 {
-        let of_modes = self.modes.iter().flat_map(|modes| modes.speeds.iter());
-        let of_statics = self.statics.iter().map(|statics| &statics.speed);
-        let of_buckling = self.buckling.iter().map(|buckling| &buckling.speed);
-        let of_trim = self.trimmed_equilibrium().map(|trim| &trim.speed);
-        let speeds = of_modes.chain(of_statics).chain(of_buckling).chain(of_trim);
-        speeds.copied().map(f64::abs).fold(0.0, f64::max)
+        let speeds = self.without_time().into_iter().flat_map(|card| card.1);
+        speeds.map(f64::abs).fold(0.0, f64::max)
     }
 
     /// The highest rotor speed of all analyses, with the starts of runs that rotate [rad/s].

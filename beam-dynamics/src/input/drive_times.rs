@@ -33,8 +33,8 @@ pub(super) fn remark(
     drives: &Catalog,
     analyses: &Analyses,
 ) -> Option<String> {
-    let mut cards = analyses.without_time();
-    cards.retain(|card| *card != "[modes]");
+    let cards = analyses.without_time().into_iter().map(|card| card.0);
+    let cards: Vec<_> = cards.filter(|card| *card != "[modes]").collect();
     let rotors = rotors.as_deref().unwrap_or_default();
     let is_pitch = |line: usize| rotors.iter().any(|own| own.pitch_lines().contains(&line));
     let mut changing = drives.changing();

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Document, Item, Table};
-use shared_geom::expression::{Names, written};
+use shared_geom::expression::{Names, words, written};
 use shared_geom::units::Dimension;
 
 mod columns;
@@ -342,8 +342,7 @@ impl Catalog {
     /// The first sensed scalar in an expression.
     fn sensed(&self, item: &Item<'_>) -> Option<String> {
         let text = item.text().and_then(written)?;
-        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        let mut sensed = words.filter(|word| self.readable.contains_key(*word));
+        let mut sensed = words(text).filter(|word| self.readable.contains_key(*word));
         sensed.next().map(str::to_owned)
     }
 

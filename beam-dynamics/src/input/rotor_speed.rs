@@ -2,8 +2,15 @@
 
 use std::f64::consts::PI;
 
+use super::short_number;
+
 /// Radians per second in one revolution per minute.
 pub(super) const RPM: f64 = PI / 30.0;
+
+/// A speed \[rad/s\] as text in rpm.
+pub(super) fn rpm(speed: f64) -> String {
+    format!("{} rpm", short_number(speed / RPM, 6))
+}
 
 /// Speeds closer than this part of the larger are the same speed.
 pub(super) const SAME_SPEED: f64 = 1e-9;

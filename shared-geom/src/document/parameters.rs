@@ -7,7 +7,7 @@ use super::lookup::{self, Lookup};
 use super::table::Table;
 use super::tree::{Kind, Value};
 use super::{Document, DocumentProblem};
-use crate::expression::{Expression, Jet, Names, is_name, written};
+use crate::expression::{Expression, Jet, Names, is_name, words, written};
 use crate::units::parse_any;
 
 /// Parameters in the order of their names; wrong ones are NaN.
@@ -289,10 +289,7 @@ fn of(known: &Parameters) -> Names<'_> {
 fn uses(value: &Value, key: &str, name: &str) -> bool {
     match &value.kind {
         Kind::Text(text) => match written(text) {
-            Some(text) => {
-                let mut words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-                words.any(|word| word == name)
-            }
+            Some(text) => words(text).any(|word| word == name),
             None => key == lookup::OF.name() && text == name,
         },
         Kind::Array(items) => items.iter().any(|item| uses(item, key, name)),

@@ -2,7 +2,7 @@
 
 use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Content, Item, Table};
-use shared_geom::expression::{Expression, Jet, Names, written};
+use shared_geom::expression::{Expression, Jet, Names, words, written};
 
 use super::base::signed;
 use super::context::Context;
@@ -116,8 +116,7 @@ pub(super) fn at_start(text: &str, constants: &[(String, f64)]) -> Option<Jet> {
 
 /// Whether a name is in an expression.
 fn uses(text: &str, name: &str) -> bool {
-    let mut words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-    words.any(|word| word == name)
+    words(text).any(|word| word == name)
 }
 
 /// Reads the control under a declared key; `Some(None)` if it is absent.

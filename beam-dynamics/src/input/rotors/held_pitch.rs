@@ -1,6 +1,7 @@
 //! Pitch that changes with azimuth or time, which equilibria and modes hold as it is at the time zero.
 
 use shared_geom::document::{Document, Table};
+use shared_geom::error::joined;
 
 use super::PlacedRotor;
 use super::base::Base;
@@ -105,7 +106,11 @@ pub(super) fn check(
     rotors: &[PlacedRotor],
     analyses: &Analyses,
 ) -> Vec<String> {
-    let cards = analyses.without_time();
+    let cards: Vec<_> = analyses
+        .without_time()
+        .into_iter()
+        .map(|card| card.0)
+        .collect();
     let turns = analyses.highest_speed() > 0.0;
     let mut remarks = Vec::new();
     for (rotor, held) in rotors
@@ -149,13 +154,4 @@ fn remark(rotor: &PlacedRotor, held: &HeldPitch, (keys, cards): (&[&str], &[&str
          at the time zero{pitches}; [periodic] has the motion with it",
         rotor.name
     )
-}
-
-/// Words joined by commas and "and".
-fn joined<T: AsRef<str>>(words: &[T]) -> String {
-    let words: Vec<_> = words.iter().map(AsRef::as_ref).collect();
-    match words.split_last() {
-        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
-        _ => words.concat(),
-    }
 }

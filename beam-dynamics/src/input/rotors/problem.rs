@@ -2,7 +2,7 @@
 
 use shared_geom::error::{Explain, counted, quoted};
 
-use crate::input::rotor_speed::RPM;
+use crate::input::rotor_speed::rpm;
 use crate::input::short_number;
 
 /// A problem of a `[[rotor]]`.
@@ -184,7 +184,7 @@ pub enum RotorProblem {
         nearest: Option<f64>,
     },
     /// A governor that holds no forward speed.
-    #[error("the governor of rotor \"{name}\" holds {} rpm, expected a speed above zero", short_number(*.speed / RPM, 6))]
+    #[error("the governor of rotor \"{name}\" holds {}, expected a speed above zero", rpm(*.speed))]
     Governed {
         /// Name of the rotor.
         name: String,
@@ -230,15 +230,15 @@ pub enum RotorProblem {
     Speeds {
         /// Name of the rotor.
         name: String,
-        /// Its speed [rpm].
+        /// Its speed \[rpm\].
         own: f64,
-        /// Speed of the start [rpm].
+        /// Speed of the start \[rpm\].
         start: f64,
     },
     /// Airfoils that move backward.
     #[error(
-        "rotor \"{name}\" turns at {} rpm, so that its airfoils move backward, expected a speed above 0",
-        short_number(speed / RPM, 6)
+        "rotor \"{name}\" turns at {}, so that its airfoils move backward, expected a speed above 0",
+        rpm(*speed)
     )]
     Backward {
         /// Name of the rotor.
@@ -248,8 +248,8 @@ pub enum RotorProblem {
     },
     /// A free wheel that never holds.
     #[error(
-        "rotor \"{name}\" turns at {} rpm, but its free wheel drives in the sense of \"axis\" only",
-        short_number(speed / RPM, 6)
+        "rotor \"{name}\" turns at {}, but its free wheel drives in the sense of \"axis\" only",
+        rpm(*speed)
     )]
     Overrun {
         /// Name of the rotor.
@@ -259,9 +259,9 @@ pub enum RotorProblem {
     },
     /// Two speeds of a shaft.
     #[error(
-        "rotor \"{name}\" has the \"speed\" {} rpm, but its \"angle\" begins with {} rpm",
-        short_number(speeds[0] / RPM, 6),
-        short_number(speeds[1] / RPM, 6)
+        "rotor \"{name}\" has the \"speed\" {}, but its \"angle\" begins with {}",
+        rpm(speeds[0]),
+        rpm(speeds[1])
     )]
     Angle {
         /// Name of the rotor.
@@ -271,9 +271,9 @@ pub enum RotorProblem {
     },
     /// A trim at rest of a rotor that turns.
     #[error(
-        "rotor \"{name}\" turns at {} rpm, but [trim] has no \"speed\": in its equilibrium the model \
+        "rotor \"{name}\" turns at {}, but [trim] has no \"speed\": in its equilibrium the model \
          is at rest",
-        short_number(speed / RPM, 6)
+        rpm(*speed)
     )]
     Still {
         /// Name of the rotor.

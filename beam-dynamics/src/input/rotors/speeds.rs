@@ -5,7 +5,7 @@ use shared_geom::document::Document;
 use super::PlacedRotor;
 use super::problem::RotorProblem;
 use crate::input::analyses::Analyses;
-use crate::input::rotor_speed::{RPM, SAME_SPEED};
+use crate::input::rotor_speed::{RPM, SAME_SPEED, rpm};
 use crate::input::schema::DYNAMICS_FILE;
 use crate::input::short_number;
 
@@ -47,33 +47,12 @@ type Card = (&'static str, [f64; 2]);
 
 /// Remarks on rotors whose speed is another one in analyses without time or for a governor.
 pub(super) fn remarks(rotors: &[PlacedRotor], analyses: &Analyses) -> Vec<String> {
-    let one = |speed: f64| [speed; 2];
-    let modes = analyses.modes.as_ref().and_then(|modes| {
-        let (first, last) = (modes.speeds.first()?, modes.speeds.last()?);
-        Some([*first, *last])
-    });
-    let statics = analyses.statics.as_ref().map(|own| one(own.speed));
-    let buckling = analyses.buckling.as_ref().map(|own| one(own.speed));
-    let trim = analyses.trimmed_equilibrium().map(|own| one(own.speed));
-    let cards = [
-        ("[modes]", modes),
-        ("[static]", statics),
-        ("[buckling]", buckling),
-        ("[trim]", trim),
-    ];
-    let cards: Vec<Card> = cards
-        .into_iter()
-        .filter_map(|(card, speeds)| Some((card, speeds?)))
-        .collect();
+    let cards = analyses.without_time();
     let of_rotor = |rotor: &PlacedRotor| {
         let own = cards.iter().filter_map(|card| of_card(rotor, *card));
         own.chain(of_governor(rotor)).collect::<Vec<_>>()
     };
     rotors.iter().flat_map(of_rotor).collect()
-}
-
-fn rpm(speed: f64) -> String {
-    format!("{} rpm", short_number(speed / RPM, DIGITS))
 }
 
 /// A remark on a rotor at a speed that is not one of a card.

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use shared_geom::error::joined;
+
 use crate::integrator::StepFailure;
 
 /// Largest number of names that are listed.
@@ -53,14 +55,8 @@ impl std::error::Error for StepTrouble {}
 /// Names in quotes, the first of many.
 pub(in crate::analysis::transient) fn quoted(names: &[String]) -> String {
     let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match &quoted[..] {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] if quoted.len() <= NAMED => format!("{} and {last}", first.join(", ")),
-        many => format!(
-            "{} and {} more",
-            many[..NAMED].join(", "),
-            many.len() - NAMED
-        ),
+    match quoted.len().saturating_sub(NAMED) {
+        0 => joined(&quoted),
+        more => format!("{} and {more} more", quoted[..NAMED].join(", ")),
     }
 }

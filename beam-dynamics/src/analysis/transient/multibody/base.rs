@@ -47,7 +47,7 @@ impl Multibody<'_> {
             *variation = Variation {
                 turn: gibbs::to_rotation(&turn.parameters) * axes,
                 rate_by_turn: Matrix3::zeros(),
-                axes: frame.turns.then(|| [*axes, frame.spin(axes)]),
+                axes: frame.variation(axes),
             };
         }
         let mut out = [Combination {

@@ -53,13 +53,16 @@ pub(super) struct Frame {
     velocity: Vector3<f64>,
     /// m V [kg m/s].
     momentum: Vector3<f64>,
-    pub turns: bool,
 }
 
 impl Frame {
+    fn turns(&self) -> bool {
+        self.angular_velocity != Vector3::zeros()
+    }
+
     /// U at the time `tau` after the latest accepted state.
     pub fn turn(&self, tau: f64) -> Matrix3<f64> {
-        if self.turns {
+        if self.turns() {
             vector::to_rotation(&(tau * self.angular_velocity))
         } else {
             Matrix3::identity()
@@ -69,7 +72,7 @@ impl Frame {
     /// A node at rest in these axes, a time `tau` after it was at `node`, where U is `turn`.
     pub fn carried(&self, node: &NodeMotion, (tau, turn): (f64, &Matrix3<f64>)) -> NodeMotion {
         let w = &self.angular_velocity;
-        if !self.turns {
+        if !self.turns() {
             let still = Vector3::zeros();
             return NodeMotion {
                 velocity: still,
@@ -97,7 +100,7 @@ impl Frame {
     /// A node at the time `tau` as these axes see it: as it would be at the latest accepted state,
     /// with rates relative to the axes.
     pub fn seen(&self, node: &NodeMotion, tau: f64) -> NodeMotion {
-        if !self.turns {
+        if !self.turns() {
             return *node;
         }
         let (w, back) = (&self.angular_velocity, self.turn(-tau));
@@ -127,7 +130,7 @@ impl Frame {
         let mut out = [[0.0; NODE_UNKNOWNS]; 2];
         out[0].copy_from_slice(y);
         out[1].copy_from_slice(rates);
-        if !self.turns {
+        if !self.turns() {
             return out;
         }
         let [y, rates] = &mut out;
@@ -145,13 +148,10 @@ impl Frame {
         out
     }
 
-    /// `[w]x U`.
-    pub fn spin(&self, turn: &Matrix3<f64>) -> Matrix3<f64> {
-        if self.turns {
-            skew(&self.angular_velocity) * turn
-        } else {
-            Matrix3::zeros()
-        }
+    /// U and `[w]x U` of the variations, where U is `turn`; `None` if the axes do not turn.
+    pub fn variation(&self, turn: &Matrix3<f64>) -> Option<[Matrix3<f64>; 2]> {
+        self.turns()
+            .then(|| [*turn, skew(&self.angular_velocity) * turn])
     }
 }
 
@@ -358,7 +358,6 @@ impl Part {
             center,
             velocity,
             momentum: mass * velocity,
-            turns,
         }
     }
 }

@@ -146,10 +146,9 @@ fn write_variables(variables: [Vector3<f64>; 4], numbers: &mut [f64]) {
 }
 
 /// A node moved from `base` by changes of its unknowns and of their rates; `turned` is its new
-/// attitude, and `gamma` its angular momentum in the axes of integration. The rates of `base` are
-/// multiplied by `kept`.
+/// attitude, and `gamma` its angular momentum in the axes of integration.
 pub(super) fn moved(
-    (base, kept): (&NodeMotion, f64),
+    base: &NodeMotion,
     turned: &Attitude,
     (gamma, axes): (&Integrated, Axes<'_>),
     (y, rates): (&[f64], &[f64]),
@@ -173,19 +172,18 @@ pub(super) fn moved(
         rotation: turned.rotation,
         momentum: base.momentum + part(y, 2),
         angular_momentum: gamma,
-        velocity: kept * base.velocity + part(rates, 0),
+        velocity: base.velocity + part(rates, 0),
         angular_velocity: turned.angular_velocity,
-        momentum_rate: kept * base.momentum_rate + part(rates, 2),
+        momentum_rate: base.momentum_rate + part(rates, 2),
         angular_momentum_rate: gamma_rate,
     }
 }
 
 /// An angular momentum in its axes of integration, moved by changes of the unknowns and of their
-/// rates; its rate is multiplied by `kept`.
+/// rates.
 pub(super) fn moved_momentum(
     [gamma, rate]: &Integrated,
-    kept: f64,
     (y, rates): (&[f64], &[f64]),
 ) -> Integrated {
-    [gamma + part(y, 3), kept * rate + part(rates, 3)]
+    [gamma + part(y, 3), rate + part(rates, 3)]
 }

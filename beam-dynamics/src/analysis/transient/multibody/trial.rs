@@ -85,11 +85,14 @@ impl Trial {
             let carried = frame.carried(node, (since, axes));
             let turned = corrected(&turn, &carried, &frame.angular_velocity);
             *gamma = match own {
-                None => moved_momentum(&integrated_latest(&carried, None), 1.0, numbers),
-                Some(_) => moved_momentum(&integrated_latest(node, own), 0.0, numbers),
+                None => moved_momentum(&integrated_latest(&carried, None), numbers),
+                Some(_) => {
+                    let [gamma, _] = integrated_latest(node, own);
+                    moved_momentum(&[gamma, Vector3::zeros()], numbers)
+                }
             };
             let own = own.map(|own| (own, &node.rotation));
-            *base = moved((&carried, 1.0), &turned, (gamma, own), numbers);
+            *base = moved(&carried, &turned, (gamma, own), numbers);
         }
     }
 
@@ -114,9 +117,9 @@ impl Trial {
             turn.parameters = part(numbers.0, 1);
             turn.rate = part(numbers.1, 1);
             let turned = corrected(turn, base, &frame.angular_velocity);
-            let gamma = moved_momentum(gamma, 1.0, numbers);
+            let gamma = moved_momentum(gamma, numbers);
             let own = own.map(|own| (own, &origin.rotation));
-            *state = moved((base, 1.0), &turned, (&gamma, own), numbers);
+            *state = moved(base, &turned, (&gamma, own), numbers);
         }
     }
 
@@ -136,12 +139,11 @@ impl Trial {
             *variation = Variation {
                 turn,
                 rate_by_turn,
-                axes: None,
+                axes: frame.variation(axes),
             };
-            if frame.turns {
+            if variation.axes.is_some() {
                 variation.turn *= axes;
                 variation.rate_by_turn *= axes;
-                variation.axes = Some([*axes, frame.spin(axes)]);
             }
         }
     }
