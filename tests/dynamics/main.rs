@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot continue fails")]
 
+use beam_dynamics::{analysis, assembly, case, elements, model, result};
+
 mod air_output;
 mod annular_wake;
 mod articulated;
@@ -58,6 +60,7 @@ mod rotating_in_time;
 mod rotor;
 mod rotor_in_time;
 mod sensed_energy;
+mod small_models;
 mod spinning_top;
 mod stability;
 mod statics;

@@ -66,7 +66,7 @@ fn changed(text: &str, random: &mut Random) -> String {
 fn blades() -> Vec<Vec<(PathBuf, String)>> {
     let corpus = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../fuzz/corpus/blade_file/plain.blade.json"
+        "/fuzz/corpus/blade_file/plain.blade.json"
     );
     let reading = shared_geom::exchange::read(Path::new(corpus)).unwrap();
     let read = Format::ALL

@@ -93,7 +93,7 @@ fn faults_of_changes_have_remedies() {
 fn constants_of_unsteady_models() {
     let polar = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../tests/reference/aero/iea15/AeroDyn15_Polar_20.dat"
+        "/tests/reference/aero/iea15/AeroDyn15_Polar_20.dat"
     );
     let of = |text: &str| {
         let found = airfoils(text).unwrap();

@@ -120,7 +120,7 @@ impl Run {
 
 /// A file of the workspace.
 fn reference(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference");
     std::fs::read_to_string(folder.join(name)).unwrap()
 }
 

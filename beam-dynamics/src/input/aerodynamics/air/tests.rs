@@ -16,7 +16,7 @@ use crate::input::test_files::{STRIP, read_beside, reported};
 use crate::model::{Conditions, State};
 
 /// Boxes of the crate of the wind: 20 planes of 5 x 7 points, 40 m wide, 48 m high.
-const BOXES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/aero/boxes");
+const BOXES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/aero/boxes");
 
 /// The air of a text, which is in the folder of the boxes; the problems as they are shown.
 fn read(text: &str) -> Result<Air, String> {

@@ -10,7 +10,7 @@ use shared_geom::document::Document;
 use super::*;
 use crate::input::{aerodynamics, drives, strips};
 
-const AERO: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/reference/aero");
+const AERO: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/aero");
 
 /// A straight line along x.
 fn straight(at: f64) -> Vector3<f64> {

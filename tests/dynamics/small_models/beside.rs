@@ -3,11 +3,11 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::models::{body, node, revolute_about_z, run, spherical};
-use crate::analysis::transient::{TransientFailure, TransientOutcome};
-use crate::assembly::System;
-use crate::case::{Model, Start, TransientSettings};
-use crate::elements::joints::{ConstraintJoint, JointEnds, Placing};
-use crate::model::Drive;
+use beam_dynamics::analysis::transient::{TransientFailure, TransientOutcome};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, Start, TransientSettings};
+use beam_dynamics::elements::joints::{ConstraintJoint, JointEnds, Placing};
+use beam_dynamics::model::Drive;
 
 /// A crank of 1 m on a pin at the origin, turned from x, at a distance from (5, 0, 0) m.
 fn crank(turned: f64, length: f64) -> TransientOutcome {

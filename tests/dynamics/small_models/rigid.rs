@@ -5,12 +5,12 @@ use std::cell::Cell;
 use nalgebra::Vector3;
 
 use super::models::{Kept, free_body, pendulum, run, states, top};
-use crate::analysis::transient::{TransientFailure, transient};
-use crate::case::{StartAccelerations, TransientSettings};
-use crate::elements::joints::axes_along;
-use crate::integrator::Scheme;
-use crate::model::State;
-use crate::result::Effort;
+use beam_dynamics::analysis::transient::{TransientFailure, transient};
+use beam_dynamics::case::{StartAccelerations, TransientSettings};
+use beam_dynamics::elements::joints::axes_along;
+use beam_dynamics::integrator::Scheme;
+use beam_dynamics::model::State;
+use beam_dynamics::result::Effort;
 
 /// Tension of the rod of the pendulum: the pivot pulls the bob by the multipliers, which
 /// are along the axes of the joint.

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::models::{driven_beam, run, states, swinging_cantilever};
-use crate::analysis::transient::TransientFailure;
-use crate::case::{Start, TransientSettings};
-use crate::model::{Drive, Ramp};
+use beam_dynamics::analysis::transient::TransientFailure;
+use beam_dynamics::case::{Start, TransientSettings};
+use beam_dynamics::model::{Drive, Ramp};
 
 /// A turning angle of the rate `speed`, from the start.
 fn turning(speed: f64) -> Drive {

@@ -9,18 +9,18 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::models::{Kept, body, node, revolute_about_z, run};
-use crate::analysis::transient::transient;
-use crate::assembly::System;
-use crate::case::{Model, TransientSettings};
-use crate::elements::control::{Limits, Matrices, Sampled, Sampling, StateSpace};
-use crate::elements::laws::Law;
-use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
-use crate::elements::springs::{Spring, SpringLaw};
-use crate::elements::{
+use beam_dynamics::analysis::transient::transient;
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, TransientSettings};
+use beam_dynamics::elements::control::{Limits, Matrices, Sampled, Sampling, StateSpace};
+use beam_dynamics::elements::laws::Law;
+use beam_dynamics::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
+use beam_dynamics::elements::springs::{Spring, SpringLaw};
+use beam_dynamics::elements::{
     Axes, Element, Input, NodeQuantity, NodeReading, NodeVector, Part, Sensor, Signal,
 };
-use crate::integrator::{Scheme, StepControl, Stepping};
-use crate::model::{Drive, Formula, Node, Quantity, Scalar};
+use beam_dynamics::integrator::{Scheme, StepControl, Stepping};
+use beam_dynamics::model::{Drive, Formula, Node, Quantity, Scalar};
 
 const OSCILLATOR: [f64; 11] = [
     1.0,
@@ -195,7 +195,7 @@ fn error(
     model: &Model,
     settings: &TransientSettings,
     (period, exact): (f64, &[f64]),
-    found: impl Fn(&crate::model::State) -> f64,
+    found: impl Fn(&beam_dynamics::model::State) -> f64,
 ) -> f64 {
     let (Kept { times, states, .. }, outcome) = run(model, settings);
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
@@ -210,7 +210,7 @@ fn error(
 // Second order, since rates are computed again after each sample.
 #[test]
 fn a_sampled_law_is_followed_to_second_order() {
-    let of_position = |state: &crate::model::State| state.nodes[0].position.x;
+    let of_position = |state: &beam_dynamics::model::State| state.nodes[0].position.x;
     let model = oscillator(0, Limits::default());
     for scheme in [Scheme::CrankNicolson, Scheme::TwoStep { radius: 0.6 }] {
         let mut before = None;
@@ -241,7 +241,7 @@ fn a_sampled_law_is_followed_to_second_order() {
 // Index 3: the constraint force jumps with the held force.
 #[test]
 fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
-    let angle = |state: &crate::model::State| {
+    let angle = |state: &beam_dynamics::model::State| {
         let position = &state.nodes[0].position;
         position.x.atan2(-position.y)
     };
@@ -260,7 +260,7 @@ fn a_held_force_on_a_constrained_mass_is_followed_to_second_order() {
 // Steps that would pass over samples end at them.
 #[test]
 fn variable_steps_land_on_samples() {
-    let of_position = |state: &crate::model::State| state.nodes[0].position.x;
+    let of_position = |state: &beam_dynamics::model::State| state.nodes[0].position.x;
     for scheme in [
         Scheme::TwoStep { radius: 0.6 },
         Scheme::Parabolic { zeta: -2.0 / 3.0 },

@@ -5,17 +5,17 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::models::{Strip, body, free_body, moving, node, run, states};
-use crate::analysis::transient::TransientFailure;
-use crate::assembly::System;
-use crate::case::{Model, Start, TransientSettings};
-use crate::elements::Element;
-use crate::elements::joints::{
+use beam_dynamics::analysis::transient::TransientFailure;
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, Start, TransientSettings};
+use beam_dynamics::elements::Element;
+use beam_dynamics::elements::joints::{
     ConstraintJoint, Hinge, HingeSpring, JointEnds, Placing, Turning, axes_along,
 };
-use crate::elements::laws::Law;
-use crate::elements::springs::{Spring, SpringLaw};
-use crate::integrator::Reason;
-use crate::model::{Drive, Formula, Ramp};
+use beam_dynamics::elements::laws::Law;
+use beam_dynamics::elements::springs::{Spring, SpringLaw};
+use beam_dynamics::integrator::Reason;
+use beam_dynamics::model::{Drive, Formula, Ramp};
 
 /// A beam along x whose root turns about z.
 fn beam(turning: Turning) -> Model {

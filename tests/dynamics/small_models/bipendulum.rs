@@ -1,10 +1,10 @@
 //! Two slender links on spherical joints (models.md, C).
 
 use super::models::{Kept, bipendulum, run, states};
-use crate::analysis::transient::transient;
-use crate::case::TransientSettings;
-use crate::integrator::{Jacobians, Scheme, StepControl, Stepping};
-use crate::model::State;
+use beam_dynamics::analysis::transient::transient;
+use beam_dynamics::case::TransientSettings;
+use beam_dynamics::integrator::{Jacobians, Scheme, StepControl, Stepping};
+use beam_dynamics::model::State;
 
 /// Largest spin of a link about its own axis \[rad/s\].
 fn spin(states: &[State]) -> f64 {

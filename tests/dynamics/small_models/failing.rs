@@ -5,11 +5,11 @@ use std::sync::Arc;
 use nalgebra::{Matrix1, Matrix3, Vector3};
 
 use super::models::{body, driven_beam, node, pendulum, run};
-use crate::assembly::System;
-use crate::case::{Model, TransientSettings};
-use crate::elements::laws::Law;
-use crate::elements::springs::{End, Measure, Rod};
-use crate::model::{Drive, DriveTable, Extrapolation, Interpolation, Ramp};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, TransientSettings};
+use beam_dynamics::elements::laws::Law;
+use beam_dynamics::elements::springs::{End, Measure, Rod};
+use beam_dynamics::model::{Drive, DriveTable, Extrapolation, Interpolation, Ramp};
 
 /// A number in the first tenth of a second; after it there is none.
 fn short(value: f64) -> Drive {

@@ -3,14 +3,14 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::models::{body, moving, node, run};
-use crate::analysis::transient::{TransientFailure, TransientOutcome};
-use crate::assembly::System;
-use crate::case::{Model, TransientSettings};
-use crate::elements::Element;
-use crate::elements::joints::{Hinge, HingeSpring};
-use crate::elements::laws::{Driven, Law, LawKind, Term};
-use crate::elements::springs::{Spring, SpringLaw};
-use crate::model::{Drive, Node, Ramp};
+use beam_dynamics::analysis::transient::{TransientFailure, TransientOutcome};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, TransientSettings};
+use beam_dynamics::elements::Element;
+use beam_dynamics::elements::joints::{Hinge, HingeSpring};
+use beam_dynamics::elements::laws::{Driven, Law, LawKind, Term};
+use beam_dynamics::elements::springs::{Spring, SpringLaw};
+use beam_dynamics::model::{Drive, Node, Ramp};
 
 /// 5 rad/s, for 10 s.
 fn turning() -> Drive {

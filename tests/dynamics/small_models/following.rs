@@ -8,14 +8,16 @@ use shared_geom::expression::{Expression, Names};
 
 use super::models::{Kept, body, node, run, states};
 use super::sampled::{sensor, signal};
-use crate::assembly::System;
-use crate::case::{Model, Redundant, TransientSettings};
-use crate::elements::control::{Actuator, Servo};
-use crate::elements::joints::{ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along};
-use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning::Dead};
-use crate::elements::{Adapted, Axes, Element, NodeVector, Part, Reading, Sensor, Signal};
-use crate::integrator::Scheme;
-use crate::model::{Drive, Formula, Quantity, ScalarStart, State, Step};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, Redundant, TransientSettings};
+use beam_dynamics::elements::control::{Actuator, Servo};
+use beam_dynamics::elements::joints::{
+    ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along,
+};
+use beam_dynamics::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning::Dead};
+use beam_dynamics::elements::{Adapted, Axes, Element, NodeVector, Part, Reading, Sensor, Signal};
+use beam_dynamics::integrator::Scheme;
+use beam_dynamics::model::{Drive, Formula, Quantity, ScalarStart, State, Step};
 
 const SERVO: Servo = Servo {
     frequency: 60.0,

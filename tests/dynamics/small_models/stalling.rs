@@ -12,9 +12,9 @@ use rotor_aero::strip::{
 use rotor_aero::wind::Atmosphere;
 
 use super::models::run;
-use crate::analysis::modes::modes;
-use crate::analysis::statics::statics;
-use crate::input::{self, Input};
+use beam_dynamics::analysis::modes::modes;
+use beam_dynamics::analysis::statics::statics;
+use beam_dynamics::input::{self, Input};
 
 const SPEED: f64 = 50.0;
 const CHORD: f64 = 1.0;

@@ -4,9 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
 use super::models::{driven_beam, run};
-use crate::case::{Model, Start, TransientSettings};
-use crate::integrator::Scheme;
-use crate::model::{Drive, Ramp, State};
+use beam_dynamics::case::{Model, Start, TransientSettings};
+use beam_dynamics::integrator::Scheme;
+use beam_dynamics::model::{Drive, Ramp, State};
 
 fn ramp(from: f64, to: f64, end: f64) -> Drive {
     Drive::Ramp(Ramp {

@@ -3,15 +3,15 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::models::{body, node, pendulum, run, spherical, states};
-use crate::analysis::transient::{Changed, StartChange, TransientFailure};
-use crate::assembly::System;
-use crate::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientSettings};
-use crate::elements::Element;
-use crate::elements::joints::{
+use beam_dynamics::analysis::transient::{Changed, StartChange, TransientFailure};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{InitialMotion, Model, Redundant, StartAccelerations, TransientSettings};
+use beam_dynamics::elements::Element;
+use beam_dynamics::elements::joints::{
     ConstraintJoint, Freedom, JointEnds, Placing, Turning, axes_along, clamped, partly_clamped,
 };
-use crate::integrator::{StepControl, Stepping};
-use crate::model::{Drive, Node, Ramp};
+use beam_dynamics::integrator::{StepControl, Stepping};
+use beam_dynamics::model::{Drive, Node, Ramp};
 
 fn distance(nodes: &[Node], b: usize, length: f64) -> Box<dyn Element> {
     let ends = JointEnds {

@@ -4,16 +4,16 @@
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
 use super::models::{Kept, Random, node, run, states};
-use crate::analysis::transient::TransientFailure;
-use crate::assembly::System;
-use crate::case::{Model, TransientSettings};
-use crate::elements::beams::{Beam, BeamElectrode, BeamGeometry, BeamNode, Potential};
-use crate::elements::circuits::{Circuit, Electrode};
-use crate::elements::control::{Matrices, StateSpace};
-use crate::elements::joints::clamped;
-use crate::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
-use crate::integrator::{Scheme, StepControl, Stepping};
-use crate::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart, Step};
+use beam_dynamics::analysis::transient::TransientFailure;
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, TransientSettings};
+use beam_dynamics::elements::beams::{Beam, BeamElectrode, BeamGeometry, BeamNode, Potential};
+use beam_dynamics::elements::circuits::{Circuit, Electrode};
+use beam_dynamics::elements::control::{Matrices, StateSpace};
+use beam_dynamics::elements::joints::clamped;
+use beam_dynamics::elements::{Element, Local, LocalJacobian, LocalResidual, Signal};
+use beam_dynamics::integrator::{Scheme, StepControl, Stepping};
+use beam_dynamics::model::{Drive, Quantity, Scalar, ScalarSpec, ScalarStart, Step};
 
 const SCHEMES: [Scheme; 6] = [
     Scheme::CrankNicolson,

@@ -7,15 +7,15 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::models::{Random, body, moving, node, revolute_about_z, spherical, states};
-use crate::assembly::System;
-use crate::case::{Model, Redundant, TransientSettings};
-use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
-use crate::elements::laws::{Bilinear, Law, LawKind};
-use crate::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
-use crate::elements::springs::{Spring, SpringLaw};
-use crate::elements::{Element, Signal};
-use crate::integrator::{Scheme, StepControl, Stepping};
-use crate::model::{Drive, Formula, State};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, Redundant, TransientSettings};
+use beam_dynamics::elements::joints::{ConstraintJoint, JointEnds, Placing, axes_along};
+use beam_dynamics::elements::laws::{Bilinear, Law, LawKind};
+use beam_dynamics::elements::loads::{LoadFactor, NodalForce, NodalLoad, Turning};
+use beam_dynamics::elements::springs::{Spring, SpringLaw};
+use beam_dynamics::elements::{Element, Signal};
+use beam_dynamics::integrator::{Scheme, StepControl, Stepping};
+use beam_dynamics::model::{Drive, Formula, State};
 
 const RADAU: Scheme = Scheme::Parabolic { zeta: -2.0 / 3.0 };
 const TWO_STEP: Scheme = Scheme::TwoStep { radius: 0.6 };
