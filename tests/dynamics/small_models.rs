@@ -14,6 +14,6 @@ mod scalars;
 mod speeds;
 mod stalling;
 mod starting;
-mod unknowing;
+mod strip;
 mod variable;
 mod winding;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix1, Matrix3, Vector3};
 
-use super::models::{body, driven_beam, node, pendulum, run};
+use super::models::{body, node, pendulum, run};
+use super::strip::driven_beam;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, TransientSettings};
 use beam_dynamics::elements::laws::Law;

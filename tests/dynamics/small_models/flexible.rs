@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::models::{driven_beam, run, states, swinging_cantilever};
+use super::models::{run, states};
+use super::strip::{driven_beam, swinging_cantilever};
 use beam_dynamics::analysis::transient::TransientFailure;
 use beam_dynamics::case::{Start, TransientSettings};
 use beam_dynamics::model::{Drive, Ramp};

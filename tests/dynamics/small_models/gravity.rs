@@ -3,7 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-use super::models::{driven_beam, run};
+use super::models::run;
+use super::strip::driven_beam;
 use beam_dynamics::case::{Model, Start, TransientSettings};
 use beam_dynamics::integrator::Scheme;
 use beam_dynamics::model::{Drive, Ramp, State};

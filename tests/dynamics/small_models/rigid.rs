@@ -2,15 +2,26 @@
 
 use std::cell::Cell;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use super::models::{Kept, free_body, pendulum, run, states, top};
+use super::models::{Kept, body, moving, node, pendulum, run, states, top};
 use beam_dynamics::analysis::transient::{TransientFailure, transient};
-use beam_dynamics::case::{StartAccelerations, TransientSettings};
+use beam_dynamics::assembly::System;
+use beam_dynamics::case::{Model, StartAccelerations, TransientSettings};
 use beam_dynamics::elements::joints::axes_along;
 use beam_dynamics::integrator::Scheme;
 use beam_dynamics::model::State;
 use beam_dynamics::result::Effort;
+
+/// A free body, its center off the node.
+pub(super) fn free_body() -> Model {
+    let nodes = vec![node("body", Vector3::zeros(), Matrix3::identity())];
+    let elements = vec![body(0, 2.0, Vector3::new(0.3, -0.2, 0.5), [1.0, 1.4, 0.7])];
+    let mut model = Model::new("free body", System::new(nodes, elements));
+    let (velocity, spin) = (Vector3::new(0.7, 1.2, -0.4), Vector3::new(1.0, 2.0, 0.2));
+    model.initial[0] = moving(velocity, spin);
+    model
+}
 
 /// Tension of the rod of the pendulum: the pivot pulls the bob by the multipliers, which
 /// are along the axes of the joint.

@@ -4,7 +4,9 @@
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
-use super::models::{Strip, body, free_body, moving, node, run, states};
+use super::models::{body, moving, node, run, states};
+use super::rigid::free_body;
+use super::strip::Strip;
 use beam_dynamics::analysis::transient::TransientFailure;
 use beam_dynamics::assembly::System;
 use beam_dynamics::case::{Model, Start, TransientSettings};

@@ -7,3 +7,4 @@ mod corners;
 mod jacobian;
 mod linkages;
 pub(super) mod models;
+mod unknowing;

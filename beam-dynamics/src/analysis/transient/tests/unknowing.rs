@@ -6,15 +6,15 @@ use nalgebra::{Matrix3, Vector3};
 use shared_geom::expression::{Expression, Names};
 
 use super::models::{body, moving, node, pendulum, run, states};
-use beam_dynamics::analysis::transient::TransientFailure;
-use beam_dynamics::assembly::System;
-use beam_dynamics::case::{Model, Start, StartAccelerations, TransientSettings};
-use beam_dynamics::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
-use beam_dynamics::elements::{
+use crate::analysis::transient::TransientFailure;
+use crate::assembly::System;
+use crate::case::{Model, Start, StartAccelerations, TransientSettings};
+use crate::elements::joints::{ConstraintJoint, JointEnds, Placing, Turning, axes_along};
+use crate::elements::{
     Charges, ConstraintRates, ConstraintWords, Constraints, Element, Level, Local, LocalJacobian,
     LocalResidual, Observations, PositionJump, Queries, Reading, ReadingRow, Reports, Signal, has,
 };
-use beam_dynamics::model::{
+use crate::model::{
     Drive, DriveTable, Extrapolation, Formula, Harmonic, Interpolation, Loading, Node, NodeMotion,
     Scalars, State, Step,
 };
