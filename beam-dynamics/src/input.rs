@@ -89,8 +89,6 @@ mod frame_tests;
 #[cfg(test)]
 mod joint_tests;
 #[cfg(test)]
-mod robust_tests;
-#[cfg(test)]
 mod test_files;
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,9 @@ mod bipendulum;
 mod failing;
 mod flexible;
 mod following;
+mod gimbal;
 mod gravity;
+mod linkages;
 #[path = "../../beam-dynamics/src/analysis/transient/tests/models.rs"]
 mod models;
 mod rigid;

@@ -136,7 +136,18 @@ fn check(element: &dyn Element, undeformed: &[Node], random: &mut Random) {
 }
 
 fn check_within(tolerance: f64, element: &dyn Element, undeformed: &[Node], random: &mut Random) {
-    for _ in 0..5 {
+    check_states(5, tolerance, element, undeformed, random);
+}
+
+/// Checks an element in some number of random states.
+fn check_states(
+    count: usize,
+    tolerance: f64,
+    element: &dyn Element,
+    undeformed: &[Node],
+    random: &mut Random,
+) {
+    for _ in 0..count {
         let motion: Vec<_> = undeformed.iter().map(|node| moved(random, node)).collect();
         let mut numbers = |count: usize| (0..count).map(|_| random.number()).collect();
         let multipliers: Vec<_> = numbers(element.multipliers());

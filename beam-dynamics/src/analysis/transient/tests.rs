@@ -5,6 +5,6 @@
 mod contradicting;
 mod corners;
 mod jacobian;
-mod linkages;
 pub(super) mod models;
+mod sharing;
 mod unknowing;

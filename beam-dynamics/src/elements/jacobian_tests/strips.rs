@@ -15,7 +15,7 @@ use rotor_aero::wind::{
 
 use nalgebra::Vector3;
 
-use super::{Random, beam_nodes, check, check_within, geometries, nodes};
+use super::{Random, beam_nodes, check, check_states, check_within, geometries, nodes};
 use crate::elements::strips::{
     Air, AirStrip, DiskInflow, Ground, RotorDisk, Shaft, StripGeometry, StripRotor, TipRadius,
 };
@@ -153,6 +153,7 @@ fn rotor(random: &mut Random, tip: usize, hub: Option<usize>) -> (TipRadius, Str
     (tip, rotor)
 }
 
+// A hundred and more elements, each in a state of its own.
 #[test]
 fn strips_on_beams() {
     let mut random = Random(61);
@@ -173,7 +174,7 @@ fn strips_on_beams() {
                     air(&mut random),
                 );
                 let count = element.nodes().len();
-                check_within(WITHIN, &element, &undeformed[..count], &mut random);
+                check_states(1, WITHIN, &element, &undeformed[..count], &mut random);
             }
         }
     }
@@ -373,7 +374,7 @@ fn sums_of_rotors() {
             let count = element.nodes().len();
             let scalars = sums.map(|sum| (sum, super::readings::scalar()));
             let adapted = Adapted::read(Arc::new(element), scalars.to_vec());
-            check_within(WITHIN, &adapted, &undeformed[..count], &mut random);
+            check_states(1, WITHIN, &adapted, &undeformed[..count], &mut random);
             super::readings::check_values(&adapted, &sums, &undeformed[..count], &mut random);
         }
     }
@@ -428,7 +429,7 @@ fn quantities_of_strips() {
             let count = element.nodes().len();
             let scalars = all.map(|reading| (reading, super::readings::scalar()));
             let adapted = Adapted::read(Arc::new(element), scalars.to_vec());
-            check_within(WITHIN, &adapted, &undeformed[..count], &mut random);
+            check_states(1, WITHIN, &adapted, &undeformed[..count], &mut random);
             super::readings::check_values(&adapted, &all, &undeformed[..count], &mut random);
         }
     }

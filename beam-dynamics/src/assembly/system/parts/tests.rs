@@ -134,7 +134,7 @@ fn sums_are_the_same_to_the_last_bit_for_any_number_of_parts() {
         let at = (&state, &conditions);
         let one = sums(&system, at, &variations, 1);
         assert!(one.iter().all(|sum| sum.iter().any(|value| *value != 0.0)));
-        for parts in 2..=system.nodes().len().min(7) {
+        for parts in [2, 3 + case % 5].map(|parts| parts.min(system.nodes().len())) {
             let found = sums(&system, at, &variations, parts);
             let bits = |sums: &[Vec<f64>; 5]| -> Vec<u64> {
                 sums.iter().flatten().map(|value| value.to_bits()).collect()

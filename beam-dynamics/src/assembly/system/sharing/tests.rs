@@ -181,7 +181,7 @@ fn off(found: &DMatrix<f64>, rows: &DMatrix<f64>, loads: usize) -> f64 {
 #[test]
 fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
     let (mut looked_at, mut loops) = (0, 0);
-    for seed in 0..600 {
+    for seed in 0..300 {
         let mut numbers = Numbers::new(seed);
         let system = match seed % 2 {
             0 => ring(&mut numbers),
@@ -205,7 +205,7 @@ fn loads_that_balance_each_other_are_those_of_a_dense_decomposition() {
         let error = off(&dense, &rows, loads).max((&found - dense).amax());
         assert!(error < 1e-12, "{seed}: {error:e} of all together");
     }
-    assert!(looked_at > 400 && loops > looked_at, "{looked_at} {loops}");
+    assert!(looked_at > 200 && loops > looked_at, "{looked_at} {loops}");
 }
 
 // Three of the constraints of a ring with parallel axes follow from others, and its loads

@@ -1,10 +1,10 @@
 //! Files of any content: an input is read completely, or its problems are reported.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
+use beam_dynamics::input;
 use shared_geom::exchange::{Format, write};
-
-use super::test_files::{STRIP, read_beside};
 
 /// Number of changes of each file.
 const CHANGES: usize = 50;
@@ -27,6 +27,31 @@ const LINES: [&str; 5] = [
     "[",
     "sec 1 0 0 0 0 ;",
 ];
+
+/// A strip, and a blade in a file.
+const MODEL: &str = "
+units = \"SI\"
+[properties.strip]
+ea = 7e6
+gay = 2e6
+gaz = 1e6
+gj = 30
+eiy = 40
+eiz = 900
+m = 2
+iy = 0.01
+iz = 0.04
+[[blade]]
+name = \"a\"
+properties = \"strip\"
+[[blade.piece]]
+length = 1
+elements = 2
+[modes]
+speeds = 0
+[[blade]]
+name = \"b\"
+";
 
 /// Pseudo-random numbers: splitmix64.
 struct Random(u64);
@@ -87,17 +112,16 @@ fn no_blade_vanishes_from_a_model() {
             let mut files = files.clone();
             let which = below(&mut random, files.len());
             files[which].1 = changed(&files[which].1, &mut random);
-            let beside: Vec<_> = files
-                .iter()
-                .map(|(name, text)| (name.to_str().unwrap(), text.as_str()))
-                .collect();
-            let text = format!(
-                "units = \"SI\"\n{STRIP}[[blade]]\nname = \"a\"\nproperties = \"strip\"\n\
-                 [[blade.piece]]\nlength = 1\nelements = 2\n[[blade]]\nname = \"b\"\n\
-                 file = \"{}\"\n[modes]\nspeeds = 0\n",
-                beside[0].0
-            );
-            match read_beside(&text, &beside) {
+            let folder = tempfile::tempdir().unwrap();
+            for (name, text) in &files {
+                let path = folder.path().join(name);
+                fs::create_dir_all(path.parent().unwrap()).unwrap();
+                fs::write(path, text).unwrap();
+            }
+            let model = folder.path().join("a.dynamics.toml");
+            let first = files[0].0.to_str().unwrap();
+            fs::write(&model, format!("{MODEL}file = \"{first}\"\n")).unwrap();
+            match input::read(&model).map_err(|problems| problems.to_string()) {
                 Ok(input) => {
                     assert_eq!(input.model.blades.len(), 2);
                     counts[0] += 1;
