@@ -180,6 +180,19 @@ impl Whirl {
         }
     }
 
+    /// The pattern that names a mode of `frequency` in the turning axes at a rotor speed, both [Hz]: a
+    /// shaft's as it runs in the fixed system, since beyond its critical speed its forward whirl runs
+    /// backward in the turning axes; a rotor's as it is.
+    pub fn named(&self, frequency: f64, speed: f64) -> Self {
+        let waves = self.harmonic.abs();
+        let harmonic = match self.blades {
+            0 if self.signed_in_fixed_system(frequency, speed) < 0.0 => -waves,
+            0 => waves,
+            _ => self.harmonic,
+        };
+        Self { harmonic, ..*self }
+    }
+
     /// Whether most of the energy is in this pattern, so that it names the mode.
     pub fn is_pure(&self) -> bool {
         self.share >= PURE_SHARE

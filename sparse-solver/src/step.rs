@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::Lu;
+use super::linear::KEPT;
+use super::lu::{Lu, Plan};
 use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
@@ -35,15 +36,18 @@ pub struct LinearCounts {
 /// Factorizes successive matrices on one pattern, and solves with the last.
 ///
 /// Pivots are kept from matrix to matrix while the factors do not grow and solutions satisfy
-/// their equations. Otherwise new ones are chosen, and if these fail too, the general
-/// factorization is used, which chooses pivots for every matrix. Nothing is allocated while
-/// pivots are kept.
+/// their equations. Otherwise the other pivots of the last few choices are tried, since matrices
+/// recur, as those of a rotor do in each revolution; then new ones are chosen, and if these fail
+/// too, the general factorization is used, which chooses pivots for every matrix. Nothing is
+/// allocated while pivots are kept.
 ///
 /// References: [Arioli1989], the error of a solution.
 #[derive(Debug)]
 pub struct StepSolver {
     matrix: Sparse,
     factors: Factors,
+    /// Plans of the last choices, the latest first.
+    plans: Vec<Arc<Plan>>,
     /// Whether a solution with these factors had a negligible residual.
     is_vouched: bool,
     right_side: Vec<f64>,
@@ -89,6 +93,7 @@ impl StepSolver {
         Self {
             matrix: Sparse::zero(Arc::clone(pattern)),
             factors: Factors::None,
+            plans: Vec::new(),
             is_vouched: false,
             right_side: zeros.clone(),
             residual: Vec::new(),
@@ -130,18 +135,34 @@ impl StepSolver {
     pub fn factorize_written(&mut self) -> Option<()> {
         self.is_vouched = false;
         let last = std::mem::replace(&mut self.factors, Factors::None);
-        if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last
-            && lu.factorize(self.matrix.values()).is_some()
-        {
-            self.counts.refactorizations += 1;
-            self.factors = Factors::Kept(lu);
-            return Some(());
+        if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last {
+            if lu.factorize(self.matrix.values()).is_some() {
+                self.counts.refactorizations += 1;
+                self.factors = Factors::Kept(lu);
+                return Some(());
+            }
+            if self.is_finite() && self.recall(lu.plan()) {
+                return Some(());
+            }
         }
         if self.is_finite() {
             self.choose_pivots()
         } else {
             None
         }
+    }
+
+    /// Factorizes by a stored plan other than `failed`; returns whether one suits.
+    fn recall(&mut self, failed: &Arc<Plan>) -> bool {
+        let others = self.plans.iter().filter(|plan| !Arc::ptr_eq(plan, failed));
+        let by_plan = |plan| Lu::by_plan(plan, self.matrix.values()).filter(Lu::is_trusted);
+        let Some(lu) = others.into_iter().find_map(by_plan) else {
+            return false;
+        };
+        self.counts.refactorizations += 1;
+        self.ordered.resize(lu.plan().buffer_len(), 0.0);
+        self.factors = Factors::Kept(Box::new(lu));
+        true
     }
 
     /// Whether all entries of the last matrix are finite numbers.
@@ -153,6 +174,7 @@ impl StepSolver {
     /// next one is factorized like the first.
     pub fn forget(&mut self) {
         self.factors = Factors::None;
+        self.plans.clear();
         self.usual_least = 0.0;
     }
 
@@ -204,6 +226,8 @@ impl StepSolver {
                 self.ordered
                     .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
                 self.ordered.resize(buffer_len, 0.0);
+                self.plans.insert(0, Arc::clone(lu.plan()));
+                self.plans.truncate(KEPT);
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,

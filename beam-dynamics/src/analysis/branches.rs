@@ -1,5 +1,7 @@
 //! Modes while they are followed over the speeds, and their names.
 
+use std::f64::consts::TAU;
+
 use crate::case::ModesSettings;
 use crate::modes::ModeMotion;
 use crate::result::{ModeBranch, ModeKind, ModePoint};
@@ -58,8 +60,7 @@ impl Branches {
         for branch in &mut self.all {
             branch.points.resize(speeds.len(), None);
         }
-        let reference = settings.style.name_at.unwrap_or(0.0);
-        name(&mut self.all, nearest(speeds, reference), settings);
+        name(&mut self.all, speeds, settings);
         let rank = |branch: &ModeBranch, speed: usize| -> Option<usize> {
             let own = branch.points[speed].as_ref()?.frequency;
             let below = self
@@ -90,16 +91,18 @@ fn nearest(speeds: &[f64], wanted: f64) -> usize {
         .map_or(0, |found| found.0)
 }
 
-/// Names the branches by their kind at speed index `reference`, or else at their first speed, by
+/// Names the branches by their kind at the speed of names, or else at their first speed, by
 /// their number among alike ones, and on a rotor by the pattern of the blades: first those with
 /// a mode at that speed, by ascending frequency, then the others in their order. Modes of
 /// frequency zero of a free model are rigid.
-fn name(branches: &mut [ModeBranch], reference: usize, settings: &ModesSettings) {
+fn name(branches: &mut [ModeBranch], speeds: &[f64], settings: &ModesSettings) {
     let words = settings.style.words;
-    let at = |branch: &ModeBranch| -> Option<ModePoint> {
-        let own = branch.points.get(reference)?.as_ref();
-        own.or_else(|| branch.points.iter().flatten().next())
-            .cloned()
+    let reference = nearest(speeds, settings.style.name_at.unwrap_or(0.0));
+    let at = |branch: &ModeBranch| -> Option<(ModePoint, f64)> {
+        let is_known = |index: &usize| branch.points[*index].is_some();
+        let first = || (0..branch.points.len()).find(is_known);
+        let index = Some(reference).filter(is_known).or_else(first)?;
+        Some((branch.points[index].clone()?, speeds[index]))
     };
     let height = |branch: &ModeBranch| -> f64 {
         let own = branch.points.get(reference).and_then(Option::as_ref);
@@ -109,13 +112,14 @@ fn name(branches: &mut [ModeBranch], reference: usize, settings: &ModesSettings)
     order.sort_by(|a, b| height(&branches[*a]).total_cmp(&height(&branches[*b])));
     let mut named: Vec<(ModeKind, Option<i32>)> = Vec::with_capacity(order.len());
     for index in order {
-        let Some(point) = at(&branches[index]) else {
+        let Some((point, speed)) = at(&branches[index]) else {
             continue;
         };
         let is_rigid = settings.free && point.frequency == 0.0;
         let whirl = point.whirl.filter(|whirl| !is_rigid && whirl.is_pure());
         // Motion of a shaft along and about its axis has no pattern to name.
         let whirl = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
+        let whirl = whirl.map(|whirl| whirl.named(point.frequency, speed / TAU));
         let kind = if is_rigid {
             ModeKind::Rigid
         } else {

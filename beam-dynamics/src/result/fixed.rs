@@ -94,34 +94,94 @@ impl FixedLine {
 
 /// The line of a branch; `None` if its blades rest.
 fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> {
-    let whirls = branch.points.iter().flatten().filter_map(|p| p.whirl);
-    let pure: Vec<_> = whirls.filter(Whirl::is_pure).collect();
-    // At rest the pattern of a shaft is open, and beyond its critical speed its forward whirl runs
-    // backward in the turning axes.
-    let named = pure.iter().find(|w| branch.harmonic == Some(w.harmonic));
-    let of_branch = *named.or(pure.last())?;
+    let known = branch
+        .points
+        .iter()
+        .zip(speeds)
+        .filter_map(|(point, speed)| {
+            let whirl = point.as_ref()?.whirl.filter(Whirl::is_pure)?;
+            Some((whirl, Seen::new(whirl, point.as_ref()?, *speed)))
+        });
+    let pure: Vec<_> = known.collect();
+    let named = pure
+        .iter()
+        .find(|one| branch.harmonic == Some(one.1.pattern.harmonic));
+    let (of_branch, Seen { pattern, .. }) = *named.or(pure.last())?;
+    let whirl_at = |point: &ModePoint, speed: f64| {
+        let own = point.whirl.filter(Whirl::is_pure);
+        own.unwrap_or_else(|| match of_branch.blades {
+            0 => nearest(&pure, speed).map_or(of_branch, |near| continued(near, point, speed)),
+            _ => of_branch,
+        })
+    };
     let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
         let point = point.as_ref()?;
-        let own = point.whirl.filter(Whirl::is_pure);
-        let whirl = own.unwrap_or(of_branch);
+        let whirl = whirl_at(point, *speed);
         Some(FixedPoint::new(point, whirl, branch.kind_at(point), *speed))
     });
-    let is_named = branch.harmonic.is_some() || of_branch.harmonic == 0;
+    let is_named = branch.harmonic.is_some() || pattern.harmonic == 0;
     Some(FixedLine {
         name: if is_named {
             branch.name.clone()
         } else {
-            format!("{} {}", branch.name, of_branch.word_in(words))
+            format!("{} {}", branch.name, pattern.word_in(words))
         },
         stem: branch.stem().to_owned(),
         kind: branch.kind,
-        harmonic: if of_branch.has_direction() {
-            of_branch.harmonic
+        harmonic: if pattern.has_direction() {
+            pattern.harmonic
         } else {
             0
         },
         points: points.collect(),
     })
+}
+
+/// A pure pattern in the fixed system, at a speed.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    /// Speed \[rad/s\].
+    speed: f64,
+    /// Frequency, negative if the motion runs backward \[Hz\].
+    signed: f64,
+    /// The pattern that names it.
+    pattern: Whirl,
+}
+
+impl Seen {
+    fn new(whirl: Whirl, point: &ModePoint, speed: f64) -> Self {
+        Self {
+            speed,
+            pattern: whirl.named(point.frequency, speed / TAU),
+            signed: whirl.signed_in_fixed_system(point.frequency, speed / TAU),
+        }
+    }
+}
+
+/// The pure pattern at the speed nearest to another one.
+fn nearest(pure: &[(Whirl, Seen)], speed: f64) -> Option<(Whirl, Seen)> {
+    let off = |one: &&(Whirl, Seen)| (one.1.speed - speed).abs();
+    pure.iter()
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+        .copied()
+}
+
+/// The pattern of a shaft at a point without a pure one, as at rest, where both whirls have one
+/// frequency: the direction whose frequency in the fixed system continues `near`.
+fn continued((whirl, near): (Whirl, Seen), point: &ModePoint, speed: f64) -> Whirl {
+    let turned = Whirl {
+        harmonic: -whirl.harmonic,
+        ..whirl
+    };
+    let off = |whirl: &Whirl| {
+        let signed = whirl.signed_in_fixed_system(point.frequency, speed / TAU);
+        (signed - near.signed).abs()
+    };
+    if off(&turned) < off(&whirl) {
+        turned
+    } else {
+        whirl
+    }
 }
 
 /// The critical speeds of a line.
@@ -248,6 +308,51 @@ mod tests {
             .map(|c| (c.order, rounded(c.speed / TAU)))
             .collect();
         assert_eq!(critical, [(2, 1.0), (1, 2.0)]);
+    }
+
+    // As above, with speeds beyond twice the critical one. At rest both whirls have one frequency, and
+    // the computed modes are mixtures of them.
+    #[test]
+    fn whirls_that_are_mixed_at_rest_have_no_other_critical_speeds() {
+        let speeds = [0.0, 1.0, 3.0, 5.0, 6.0];
+        let mixed = |frequency: f64| {
+            point(
+                frequency,
+                0.0,
+                Whirl {
+                    share: 0.5,
+                    ..whirl(1, 0)
+                },
+            )
+        };
+        let turning = |signed: f64| {
+            let of = |speed: f64| {
+                let seen: f64 = signed - speed;
+                let harmonic = if seen < 0.0 { -1 } else { 1 };
+                point(seen.abs(), 0.0, whirl(harmonic, 0))
+            };
+            let at_rest = [mixed(2.0)].into_iter();
+            at_rest.chain(speeds[1..].iter().map(|n| of(*n))).collect()
+        };
+        let mut table = table(&speeds, vec![("a", turning(2.0)), ("b", turning(-2.0))]);
+        for branch in &mut table.branches {
+            branch.harmonic = None;
+        }
+        let fixed = FixedTable::new(&table, &[1, 2]).unwrap();
+        let found: Vec<_> = fixed
+            .critical
+            .iter()
+            .map(|c| (c.name.as_str(), c.order, rounded(c.speed / TAU)))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                ("a progressive", 2, 1.0),
+                ("b regressive", 2, 1.0),
+                ("a progressive", 1, 2.0),
+                ("b regressive", 1, 2.0)
+            ]
+        );
     }
 
     // s = -0.3 + 2 pi i 0.4 in the turning axes, seen at 1.4 Hz.

@@ -152,6 +152,34 @@ fn pivots_that_turn_bad_are_chosen_again() {
     assert_eq!(solver.counts().fallbacks, 0);
 }
 
+/// Two unknowns in axes that turn by a third of a right angle from matrix to matrix: a diagonal that is
+/// one at first is zero after each quarter of a turn. Two choices of pivots suffice for all turns.
+#[test]
+fn pivots_of_matrices_that_recur_are_chosen_once() {
+    let n = 60;
+    let strong = unsymmetric(n, 7, 20.0);
+    let turned = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        let own = [[cos, -sin], [sin, cos]];
+        let pair = |i: usize, j: usize| (n + i, n + j, own[i][j]);
+        let coupled = [(n, 0, 0.1), (0, n + 1, 0.1)];
+        let pairs = [pair(0, 0), pair(0, 1), pair(1, 0), pair(1, 1)];
+        let all: Vec<_> = strong.iter().copied().chain(pairs).chain(coupled).collect();
+        matrix(n + 2, &all)
+    };
+    let first = turned(0.0);
+    let mut solver = StepSolver::new(first.pattern());
+    let mut next = first.clone();
+    for step in 0..60 {
+        let right_angles = f64::from(step) / 3.0;
+        let of = turned(right_angles * std::f64::consts::FRAC_PI_2);
+        next.values_mut().copy_from_slice(of.values());
+        check(&mut solver, &next, TOLERANCE);
+    }
+    let counts = solver.counts();
+    assert_eq!((counts.pivotings, counts.fallbacks), (2, 0), "{counts:?}");
+}
+
 /// The last pivot, 1e-18, counts as zero beside entries of one; the general factorization solves
 /// the system.
 #[test]
