@@ -327,10 +327,13 @@ fn modes_of(
     finish(failure, written, terminal)
 }
 
+/// Beginning of a remark on the reason of an early end.
+const STOPPED_EARLY: &str = "stopped early: ";
+
 /// Remarks on a result: those on the input first, and the reason of an early end last.
 fn add_remarks(remarks: &mut Vec<String>, input: &Input, failure: Option<&dyn Display>) {
     remarks.splice(0..0, input.remarks.iter().cloned());
-    remarks.extend(failure.map(|failure| format!("stopped early: {failure}")));
+    remarks.extend(failure.map(|failure| format!("{STOPPED_EARLY}{failure}")));
 }
 
 /// Reports the failure and the written files; returns the exit code.

@@ -5,6 +5,8 @@ use std::sync::atomic::AtomicU64;
 
 use shared_geom::error::Explain;
 
+use super::STOPPED_EARLY;
+
 /// A piece of output that stays together.
 pub(super) enum Message {
     /// Text for the output stream, unchanged.
@@ -88,9 +90,10 @@ impl<'a> Terminal<'a> {
     }
 
     /// Writes the remarks of a result to the error stream, if its report, which has them, is not
-    /// shown.
+    /// shown; not the reason of an early end, which is an error of its own.
     pub fn remark(&mut self, name: &str, remarks: &[String]) {
-        for remark in remarks {
+        let others = remarks.iter().filter(|one| !one.starts_with(STOPPED_EARLY));
+        for remark in others {
             self.take(Message::Remark(format!("warning: {name}: {remark}")));
         }
     }

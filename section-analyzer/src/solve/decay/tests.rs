@@ -111,7 +111,7 @@ fn rates_do_not_depend_on_the_pins() {
     for p in problems() {
         let nodes = &p.domain.nodes;
         let one = rates(&p, Pins::choose(nodes).expect("wide"), 4);
-        for triangle in random_triangles(nodes).into_iter().take(3) {
+        for triangle in random_triangles(nodes).into_iter().take(2) {
             let other = rates(&p, Pins::at(nodes, triangle), 4);
             for (a, b) in one.rates.iter().zip(&other.rates) {
                 assert!((a - b).norm() < 1e-9 * a.norm(), "{a} {b}");

@@ -488,7 +488,7 @@ fn a_file_that_is_cut_off_is_refused() {
 #[test]
 fn no_changed_byte_makes_the_readers_panic() {
     let mut samples = Samples::new(6);
-    for i in 0..400 {
+    for i in 0..200 {
         let text = if i % 2 == 0 { FPM } else { HTC };
         let mut bytes = text.as_bytes().to_vec();
         let at = (samples.scalar().abs() * bytes.len() as f64) as usize % bytes.len();
