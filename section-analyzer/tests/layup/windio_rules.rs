@@ -253,6 +253,12 @@ fn other_contents_are_named() {
     let [given, without] =
         [&text, &without].map(|text| read(text).unwrap_or_else(|text| panic!("{text}")));
     assert_eq!(given.section(0.3).ok(), without.section(0.3).ok());
+    let light = read(&text.replace("rho: 1900", "rho: -1900")).expect_err("a density");
+    assert!(
+        light.contains("is -1900 kg/m^3, expected 0 or more"),
+        "{light}"
+    );
+    assert!(!light.contains("--repair-materials"), "{light}");
     let other = read(&text.replace("fiber_orientation", "fibre_orientation"));
     let other = other.unwrap_or_else(|problems| panic!("{problems}"));
     let expected = "\"fibre_orientation\" of layers (skin) is no key of windIO and has no effect; \
