@@ -127,6 +127,12 @@ fn rules_that_differ_are_named() {
         "{:?}",
         far.remarks
     );
+    let padded = both(0.2 + width) + &flat(&[("midpoint_nd_arc", 0.0)]);
+    let padded = blade(&padded).remarks;
+    assert!(
+        padded.iter().all(|one| !one.contains("rules")),
+        "{padded:?}"
+    );
     let middle = flat(&[
         ("start_nd_arc", 0.2),
         ("end_nd_arc", 0.4),

@@ -31,7 +31,11 @@ impl<'n> Places<'n> {
             None => Some(None),
         };
         let [start, end, middle] = arcs;
-        let (arcs, width) = ([start?, end?, middle?], width?);
+        let (start, end, middle, width) = (start?, end?, middle?, width?);
+        // programs write a middle of 0 beside arcs
+        let is_padded = start.is_some() && end.is_some();
+        let is_padded = is_padded && item.entry(MIDDLE).is_some_and(is_padding);
+        let arcs = [start, end, middle.filter(|_| !is_padded)];
         let has_plane = item.entry("offset_y_pa").is_some();
         let plane = match has_plane && (holder == Holder::Web || width.is_some()) {
             true => Some(self.plane_1(item, of, width.as_ref(), notes)?),
@@ -52,10 +56,7 @@ impl<'n> Places<'n> {
                 });
             }
         }
-        let is_table = item.entry(MIDDLE).is_some_and(|node| !is_padding(node));
-        if let ([Some(start), Some(end), Some(middle)], None) = (&arcs, &width)
-            && is_table
-        {
+        if let ([Some(start), Some(end), Some(middle)], None) = (&arcs, &width) {
             self.middle(item, of, [start, end, middle]);
         }
         Some(first.1.clone())
