@@ -6,6 +6,7 @@ mod active_twist_rotor;
 mod bimetal;
 mod composite_axes;
 mod iea15_layup;
+mod layup_strength;
 mod piezo;
 mod pretwisted;
 mod princeton;

@@ -222,8 +222,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         }
         _ => None,
     };
-    if let Some(Err(problem)) = layup.as_mut().map(Layup::divide_lengths) {
-        document.note(shape_line, &problem);
+    if let Some(Err((line, problem))) = layup.as_mut().map(Layup::divide_lengths) {
+        document.note(line, &problem);
     }
     if let Some(layup) = layup.as_mut().filter(|_| has_names) {
         layup.remarks = layup.idle_places();
@@ -428,7 +428,7 @@ impl Layup {
     }
 
     /// Makes positions along the span that are lengths parts of the length of the line.
-    fn divide_lengths(&mut self) -> Result<(), LayupFileProblem> {
+    fn divide_lengths(&mut self) -> Result<(), problem::Located> {
         let length = self.line.as_ref().map(ReferenceLine::length);
         let mut courses = self.shape.courses_mut();
         let mut plies: Vec<&mut WrittenLayer> = self.layers.iter_mut().collect();
@@ -444,11 +444,14 @@ impl Layup {
             places.extend([&mut layer.from, &mut layer.to]);
         }
         courses.extend(places.into_iter().flat_map(Place::courses_mut));
-        for course in courses.into_iter().filter(|course| course.is_in_lengths()) {
-            let length = length.ok_or(LayupFileProblem::NoLine)?;
-            let found = course.positions().last().copied().unwrap_or_default();
+        for course in courses {
+            let Some(line) = course.lengths() else {
+                continue;
+            };
+            let length = length.ok_or((line, LayupFileProblem::NoLine))?;
+            let found = course.points().last().map_or(0.0, |(at, _)| at);
             if found > length * (1.0 + 1e-9) {
-                return Err(LayupFileProblem::Beyond { found, length });
+                return Err((line, LayupFileProblem::Beyond { found, length }));
             }
             course.divide_lengths(length);
         }

@@ -197,7 +197,8 @@ pub(super) fn read(root: &Table<'_>) -> Vec<WrittenMaterial> {
                 electric::check_absent(&name, &table);
             }
             let material = read_one(&name, &table, law, electric.as_ref());
-            let ply_thickness = table.get(&PLY_THICKNESS).flatten();
+            // a wrong one has been noted, and is not reported as absent too
+            let ply_thickness = table.get(&PLY_THICKNESS).unwrap_or(Some(1.0));
             table.finish();
             WrittenMaterial {
                 name,

@@ -117,7 +117,8 @@ impl Explain for MaterialProblem {
             Self::NotPositiveDefinite { .. } | Self::NotSymmetric { .. } => {
                 "rows and columns are ordered 11 22 33 23 13 12, with engineering shear strains"
             }
-            Self::NotFinite { .. } | Self::DensityNegative { .. } => return None,
+            Self::DensityNegative { .. } => "a material without mass has the density 0",
+            Self::NotFinite { .. } => return None,
         };
         Some(text.to_owned())
     }

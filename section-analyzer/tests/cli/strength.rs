@@ -525,6 +525,20 @@ fn solved_sections_are_not_solved_again() {
         first.out
     );
     let known = rows(&workplace, "b/a.strength.csv");
+    // the folder may be moved, and be used from another one, by its blade file
+    std::fs::create_dir_all(workplace.path("c/d")).unwrap();
+    std::fs::rename(workplace.path("b"), workplace.path("c/b")).unwrap();
+    let mut moved = workplace.command(&[
+        "strength",
+        "../b/a.blade.json",
+        "--loads",
+        "../../loads.csv",
+    ]);
+    let moved = moved.current_dir(workplace.path("c/d")).output().unwrap();
+    let shown = String::from_utf8(moved.stdout).unwrap();
+    assert_eq!(shown.matches(" unchanged ").count(), 3, "{shown}");
+    assert_eq!(rows(&workplace, "c/b/a.strength.csv"), known);
+    std::fs::rename(workplace.path("c/b"), workplace.path("b")).unwrap();
     std::fs::remove_file(workplace.path("b/sections/eta_0.5000.analysis.json")).unwrap();
     let second = strength(&workplace, table, &[]);
     assert_eq!(second.out.matches(" solved ").count(), 1, "{}", second.out);

@@ -227,7 +227,8 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "name = \"rest\"",
         "name = \"rest\"\neta = [0.5, 0.2]",
-        "error: a.layup.toml:24: \"eta\" of \"rest\" is not two ascending positions from 0 to 1",
+        "error: a.layup.toml:24: \"eta\" of \"rest\" is [0.5, 0.2], expected two ascending positions \
+         from 0 to 1\n  help: eta = [0.1, 0.9]; without it",
     ),
     (
         "name = \"rest\"\nmaterial = \"metal\"",

@@ -266,7 +266,27 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "[0, 25, 50]",
         "[0, 25, 51]",
-        "a \"span\" goes to 51 m, expected at most 50 m",
+        "a.layup.toml:5: a \"span\" goes to 51 m, expected at most 50 m",
+    ),
+    (
+        "[0, 25, 50]",
+        "[0, 25, 20]",
+        "expected ascending lengths from 0, not 20 after 25",
+    ),
+    (
+        "at = { x = 0.3 }",
+        "at = { x = 0.3 }\neta = 0.5",
+        "\"eta\" of \"web\" is 0.5, expected two ascending positions",
+    ),
+    (
+        "ply_thickness = \"1 mm\"",
+        "ply_thickness = 0",
+        "\"ply_thickness\" is 0, expected a length greater than zero",
+    ),
+    (
+        "density = 1900",
+        "density = -1900",
+        "expected 0 or more\n  help: a material without mass has the density 0",
     ),
     (
         "span = [0, 25, 50]",
@@ -337,6 +357,11 @@ fn wrong_words_are_refused() {
         let problems = parse(&TEXT.replacen(from, to, 1)).expect_err(to);
         assert!(problems.contains(expected), "{to}: {problems}");
     }
+    let tabs = TEXT.replace("cap_rear + 40 mm", "cap_rear\\t+\\t40\\tmm");
+    assert_eq!(section(&tabs, 0.3), section(TEXT, 0.3));
+    // one problem, not two
+    let zero = parse(&TEXT.replace("\"1 mm\"", "0")).expect_err("a thickness");
+    assert!(!zero.contains("no ply thickness"), "{zero}");
 }
 
 /// Places without a use, and layers that no section has.

@@ -18,3 +18,4 @@ mod shapes;
 mod spars;
 mod stations;
 mod windio;
+mod windio_rules;

@@ -158,6 +158,37 @@ fn other_sections_are_refused() {
     assert!(problems.matches("error: ").count() == 4, "{problems}");
 }
 
+/// Names that are defined twice, and the one that is used.
+#[test]
+fn names_defined_twice_are_remarks() {
+    let point = "<point name=\"bl\">-0.4765 -0.265</point>";
+    let around =
+        "<baseline name=\"around\" type=\"straight\"><points>bl,tl,tr,br,bl</points></baseline>";
+    let other = point.replace("-0.265<", "-0.3<");
+    for (from, to, expected) in [
+        (
+            point,
+            format!("{point}{other}"),
+            "the point \"bl\" is defined twice, and the first one is used",
+        ),
+        (
+            "</baselines>",
+            format!("{around}</baselines>"),
+            "<baseline> \"around\" is defined twice, and the second one is used",
+        ),
+    ] {
+        let layup = read(&changed("box.xml", &[(from, to.as_str())]));
+        let remarks = layup
+            .unwrap_or_else(|problems| panic!("{problems}"))
+            .remarks;
+        assert_eq!(
+            remarks.iter().filter(|one| *one == expected).count(),
+            1,
+            "{remarks:?}"
+        );
+    }
+}
+
 /// Changes a text at random.
 fn damaged(text: &str, random: &mut Random) -> String {
     let mut text = text.to_owned();

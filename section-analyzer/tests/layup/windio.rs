@@ -22,7 +22,8 @@ pub fn blade(name: &str) -> Layup {
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-fn tube() -> (PathBuf, String) {
+/// The tube and its text.
+pub fn tube() -> (PathBuf, String) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/layup/files/tube.windio.yaml");
     let text = std::fs::read_to_string(&file).expect("a file");
     (file, text)
@@ -38,7 +39,8 @@ fn changed(changes: &[(&str, &str)]) -> Result<Layup, String> {
     read(&text)
 }
 
-fn read(text: &str) -> Result<Layup, String> {
+/// The blade of a text, or its problems.
+pub fn read(text: &str) -> Result<Layup, String> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.yaml");
     std::fs::write(&file, text).expect("a file");

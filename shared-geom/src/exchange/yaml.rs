@@ -105,7 +105,9 @@ pub fn required<'n>(
 /// The line and its problem.
 pub fn parse(text: &str) -> Result<Node, (usize, ExchangeProblem)> {
     let mut builder = Builder::default();
-    for event in Parser::new_from_str(text) {
+    // a tabulator behind a key separates it from its value, which the parser does not accept
+    let text = text.replace(":\t", ": ");
+    for event in Parser::new_from_str(&text) {
         let (event, span) = event.map_err(|error| {
             let problem = wrong("the YAML text", error.info(), "YAML 1.2");
             (error.marker().line(), problem)

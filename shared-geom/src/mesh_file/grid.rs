@@ -1,8 +1,8 @@
 //! A grid of VTK, from its legacy or its XML file: points, plane cells, lines, and an array
 //! of whole numbers by cell as groups.
 //!
-//! The array is called `group`, or has another of the [`USUAL`] names, or is the only one of
-//! whole numbers. Each of its values is a group of this number, or of the name that the file
+//! The array is called `group`, or `region` beside numbers of the cells, or is the only one with another of the [`USUAL`] names, or the only
+//! one of whole numbers. Each of its values is a group of this number, or of the name that the file
 //! gives to the number. A grid in a plane `x = constant` is read as (y, z).
 
 use std::collections::{HashMap, HashSet};
@@ -11,9 +11,11 @@ use super::parts::{Parts, Shape};
 use super::problem::{FileProblem, Problems};
 use crate::mesh::{CellKind, LineKind, Mesh};
 
-/// Usual names of arrays of groups, the preferred ones first.
-const USUAL: [&str; 9] = [
-    "group",
+/// The name of the array of groups, whatever others there are; in results of Helicoid, which have
+/// [`TAGS`], the second one.
+const OWN: [&str; 2] = ["group", "region"];
+/// Usual names of arrays of groups.
+const USUAL: [&str; 8] = [
     "gmsh:physical",
     "PhysicalIds",
     "physical",
@@ -120,12 +122,24 @@ impl Grid {
             let mut arrays = self.arrays.iter();
             arrays.find(|array| array.name.eq_ignore_ascii_case(name))
         };
-        match (USUAL.iter().find_map(named), &self.arrays[..]) {
-            (Some(array), _) => Ok(Some(array)),
-            (None, []) => Ok(None),
-            (None, [array]) => Ok(Some(array)),
-            (None, arrays) => {
-                let names = arrays.iter().map(|array| array.name.clone());
+        let own = named(&OWN[0]).or_else(|| {
+            named(&TAGS)?;
+            named(&OWN[1])
+        });
+        if own.is_some() {
+            return Ok(own);
+        }
+        let mut usual: Vec<&Array> = USUAL.iter().filter_map(named).collect();
+        if usual.is_empty() {
+            usual = self.arrays.iter().collect();
+        }
+        // equal ones are one
+        usual.dedup_by(|next, kept| next.values == kept.values);
+        match usual[..] {
+            [] => Ok(None),
+            [array] => Ok(Some(array)),
+            _ => {
+                let names = usual.iter().map(|array| array.name.clone());
                 Err(FileProblem::Arrays(names.collect()))
             }
         }
@@ -183,4 +197,38 @@ fn shape_of(kind: u32) -> Result<Option<Shape>, FileProblem> {
         28 => Shape::Cell(CellKind::Quadrilateral9),
         other => return Err(FileProblem::Unsupported(other.to_string())),
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Array, Grid};
+
+    /// The array of the groups among these, or the problem.
+    fn groups(arrays: &[(&str, i32)]) -> String {
+        let array = |(name, value): &(&str, i32)| Array {
+            name: (*name).to_owned(),
+            values: vec![*value, 2],
+        };
+        let grid = Grid {
+            arrays: arrays.iter().map(array).collect(),
+            ..Grid::default()
+        };
+        match grid.groups() {
+            Ok(found) => found.map_or_else(String::new, |array| array.name.clone()),
+            Err(problem) => problem.to_string(),
+        }
+    }
+
+    /// Two usual arrays with other values are no groups, unless one is Helicoid's own or `group`.
+    #[test]
+    fn two_arrays_are_doubtful() {
+        let doubt = "2 arrays of whole numbers by cell could be groups: region, MaterialIds";
+        let two = [("MaterialIds", 1), ("region", 3)];
+        assert_eq!(groups(&two), doubt);
+        assert_eq!(groups(&[two[0], two[1], ("group", 4)]), "group");
+        assert_eq!(groups(&[two[0], two[1], ("tag", 4)]), "region");
+        assert_eq!(groups(&[two[0], ("region", 1)]), "region");
+        assert_eq!(groups(&[two[0], ("other", 4)]), "MaterialIds");
+        assert_eq!(groups(&[]), "");
+    }
 }

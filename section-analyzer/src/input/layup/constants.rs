@@ -14,11 +14,11 @@ const TEXT: &str = "materials of the file";
 pub(super) type Origin = (PathBuf, usize);
 
 /// A text of units and materials whose constants are possible; notes the problems of others at
-/// the origins of its lines, with `help` in addition.
+/// the origins of its lines, with the `help` for a row of the text in addition.
 pub(super) fn checked(
     text: String,
     origins: &[Option<Origin>],
-    help: &str,
+    help: fn(&str) -> Option<&str>,
     problems: &mut Problems,
 ) -> Option<String> {
     let found = Document::parse(&text, TEXT).and_then(|document| {
@@ -29,16 +29,18 @@ pub(super) fn checked(
     });
     let rewritten = found.map_err(|problems| {
         problems.rewritten(TEXT, |problem| {
-            let line = problem.location.line.and_then(|line| origins.get(line - 1));
-            let origin = line.or(origins.last()).cloned().flatten();
+            let row = problem.location.line.map(|line| line - 1);
+            let origin = row.and_then(|row| origins.get(row));
+            let origin = origin.or(origins.last()).cloned().flatten();
+            let more = row.and_then(|row| text.lines().nth(row)).and_then(help);
             problem.location.line = origin.as_ref().map(|origin| origin.1);
             if let Some((file, _)) = origin {
                 problem.location.file = file.display().to_string();
             }
-            problem.help = Some(match problem.help.take() {
-                Some(own) => format!("{own}; {help}"),
-                None => help.to_owned(),
-            });
+            problem.help = match (problem.help.take(), more) {
+                (Some(own), Some(more)) => Some(format!("{own}; {more}")),
+                (own, more) => own.or(more.map(str::to_owned)),
+            };
         })
     });
     problems.keep(rewritten).map(|()| text)

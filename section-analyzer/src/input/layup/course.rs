@@ -98,8 +98,8 @@ pub struct Course {
     kind: Kind,
     /// Whether the end values continue beyond the table.
     is_held: bool,
-    /// Whether the positions are lengths \[m\].
-    in_lengths: bool,
+    /// The line of the file of positions that are lengths \[m\].
+    lengths: Option<usize>,
 }
 
 impl Course {
@@ -109,7 +109,7 @@ impl Course {
             value,
             kind,
             is_held: false,
-            in_lengths: false,
+            lengths: None,
         }
     }
 
@@ -161,19 +161,20 @@ impl Course {
         }
         Self {
             is_held: self.is_held,
-            in_lengths: self.in_lengths,
+            lengths: self.lengths,
             ..Self::new(eta, value, Kind::Constant)
         }
     }
 
-    /// Whether the positions are lengths, which are to be divided by the length of the line.
-    pub(super) fn is_in_lengths(&self) -> bool {
-        self.in_lengths
+    /// The line of the file of positions that are lengths, which are to be divided by the length of
+    /// the line.
+    pub(super) fn lengths(&self) -> Option<usize> {
+        self.lengths
     }
 
     /// Divides positions that are lengths by the length of the line \[m\].
     pub(super) fn divide_lengths(&mut self, length: f64) {
-        if std::mem::take(&mut self.in_lengths) {
+        if self.lengths.take().is_some() {
             for eta in &mut self.eta {
                 *eta /= length;
             }
@@ -208,7 +209,7 @@ impl Course {
             _ => Kind::Monotone,
         };
         Self {
-            in_lengths: self.in_lengths || other.in_lengths,
+            lengths: self.lengths.or(other.lengths),
             ..Self::new(eta, value, kind)
         }
     }
@@ -341,25 +342,33 @@ impl Value for Course {
         let (kind, is_held, (positions, value)) = (kind?, is_held?, points?);
         let in_lengths = positions.in_lengths;
         let eta = positions.all;
-        let is_ascending = eta.windows(2).all(|pair| pair[1] > pair[0]);
-        let most = if in_lengths { f64::INFINITY } else { 1.0 };
-        if !is_ascending || eta[0] < 0.0 || eta[eta.len() - 1] > most {
-            let key = [&ETA, &SPAN].into_iter().find(|key| inner.has(key));
+        let key = [&ETA, &SPAN].into_iter().find(|key| inner.has(key));
+        let key = key.map_or(FILE.name(), |key| key.name());
+        if let Some(found) = disorder(&eta, in_lengths) {
             let expected = if in_lengths {
                 "ascending lengths from 0"
             } else {
                 "ascending positions from 0 to 1"
             };
-            inner.wrong(key.map_or(FILE.name(), |key| key.name()), expected);
+            inner.wrong(key, &format!("{expected}, not {found}"));
             return None;
         }
         let kind = [Kind::Monotone, Kind::Linear, Kind::Constant][kind];
         Some(Self {
             is_held,
-            in_lengths,
+            lengths: in_lengths.then(|| inner.line_of(key)),
             ..Self::new(eta, value, kind)
         })
     }
+}
+
+/// The first position that is outside of the span, or not behind the one before.
+fn disorder(positions: &[f64], in_lengths: bool) -> Option<String> {
+    let most = if in_lengths { f64::INFINITY } else { 1.0 };
+    let outside = positions.iter().find(|at| !(0.0..=most).contains(*at));
+    let turned = positions.windows(2).find(|pair| pair[1] <= pair[0]);
+    let turned = turned.map(|pair| format!("{} after {}", pair[1], pair[0]));
+    outside.map(f64::to_string).or(turned)
 }
 
 /// Positions of a table, one or more.

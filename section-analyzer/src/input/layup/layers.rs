@@ -240,11 +240,16 @@ fn range(table: &Table<'_>, name: &str) -> Option<[f64; 2]> {
     if !table.has(&RANGE) {
         return Some([0.0, 1.0]);
     }
-    match table.quantities(RANGE.name(), Dimension::NUMBER)?[..] {
+    let positions = table.quantities(RANGE.name(), Dimension::NUMBER)?;
+    match positions[..] {
         [from, to] if from >= 0.0 && from < to && to <= 1.0 => Some([from, to]),
         _ => {
-            let name = name.to_owned();
-            table.note(&RANGE, &LayupFileProblem::Range { name });
+            let (name, list) = (name.to_owned(), table.is_list(&RANGE));
+            let found = match positions[..] {
+                [one] if !list => one.to_string(),
+                _ => format!("{positions:?}"),
+            };
+            table.note(&RANGE, &LayupFileProblem::Range { name, found });
             None
         }
     }

@@ -127,6 +127,7 @@ impl Place {
 
     /// A place by its name, with or without a shift: `cap.end + 40 mm`, `nose - 0.02`.
     fn named(text: &str) -> Result<Self, String> {
+        let text = text.replace('\t', " ");
         let signs = [(" + ", 1.0), (" - ", -1.0)];
         let found = signs.map(|(word, sign)| Some((text.rfind(word)?, sign)));
         let Some((at, sign)) = found.into_iter().flatten().max_by_key(|found| found.0) else {

@@ -15,8 +15,11 @@ pub enum LayupFileProblem {
         found: usize,
     },
     /// Airfoils that are not in the order of the span.
-    #[error("the airfoils are not at ascending positions from 0 to 1 along the span")]
-    AirfoilOrder,
+    #[error("the airfoils are at {found}, expected ascending positions or thicknesses from 0 to 1")]
+    AirfoilOrder {
+        /// The first value that is not right.
+        found: String,
+    },
     /// A quantity of the shape that no blade has.
     #[error("{key} is {} at the position {} along the span, expected {expected}", rounded(*.found), rounded(*.at))]
     Shape {
@@ -147,10 +150,12 @@ pub enum LayupFileProblem {
         eta: f64,
     },
     /// A range along the span that is not one.
-    #[error("\"eta\" of \"{name}\" is not two ascending positions from 0 to 1")]
+    #[error("\"eta\" of \"{name}\" is {found}, expected two ascending positions from 0 to 1")]
     Range {
         /// The web or fill.
         name: String,
+        /// The positions.
+        found: String,
     },
     /// A section that cannot be meshed.
     #[error("eta {eta}: {problem}")]
@@ -187,6 +192,14 @@ impl Explain for LayupFileProblem {
                 "a wall is a [[web]] with at = \"trailing_edge\", a tab behind a flat base such a web \
                  as thick as the tab is long, an adhesive a [[fill]]"
                     .into(),
+            ),
+            Self::AirfoilOrder { .. } => Some(
+                "list them from root to tip, or from thin to thick; a thickness is a part of the \
+                 chord, as 0.3"
+                    .into(),
+            ),
+            Self::Range { .. } => Some(
+                "eta = [0.1, 0.9]; without it, the web or fill has the whole span".into(),
             ),
             Self::Section { problem, .. } => problem.help(),
             _ => None,

@@ -74,9 +74,13 @@ impl Shape {
         if airfoils.is_empty() {
             return Err(LayupFileProblem::Airfoil { found: 0 });
         }
-        let is_in_order = airfoils.windows(2).all(|pair| pair[1].0 > pair[0].0);
-        if !is_in_order || airfoils.iter().any(|one| !(0.0..=1.0).contains(&one.0)) {
-            return Err(LayupFileProblem::AirfoilOrder);
+        let outside = airfoils.iter().find(|one| !(0.0..=1.0).contains(&one.0));
+        let outside = outside.map(|one| one.0.to_string());
+        let mut pairs = airfoils.windows(2);
+        let turned = pairs.find(|pair| pair[1].0 <= pair[0].0);
+        let turned = turned.map(|pair| format!("{} after {}", pair[1].0, pair[0].0));
+        if let Some(found) = outside.or(turned) {
+            return Err(LayupFileProblem::AirfoilOrder { found });
         }
         let is_one = airfoils.len() == 1;
         let airfoil = |(at, written): (f64, Points)| {

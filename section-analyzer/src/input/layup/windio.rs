@@ -15,7 +15,6 @@
 //! - IEA Wind Task 37, windIO 1.0, documentation of the turbine: blade.
 //! - IEA Wind Task 55, windIO 2.1, `turbine_schema.yaml`.
 
-use std::f64::consts::PI;
 use std::path::Path;
 
 use shared_geom::error::{Diagnostics, SourceLocation, nearest_name};
@@ -28,13 +27,18 @@ use super::resolve::Resolver;
 use super::{Layup, Materials, wrong_names};
 
 mod airfoil;
+mod angles;
+mod ends;
+mod known;
 mod layers;
 mod materials;
 mod places;
 mod planes;
 mod shape;
+mod version;
+mod version1;
 
-use places::Places;
+use places::{Doubt, Places};
 use planes::Tilt;
 
 /// Largest difference of two rules for one place that is not reported, in chords.
@@ -70,31 +74,6 @@ impl Notes {
             None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
         };
         self.wrong(line, [what, &format!("\"{found}\""), expected, &help]);
-    }
-}
-
-/// The version of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Version {
-    One,
-    Two,
-}
-
-impl Version {
-    /// The names of the tables of the outer shape and of the structure.
-    fn tables(self) -> [&'static str; 2] {
-        match self {
-            Self::One => ["outer_shape_bem", "internal_structure_2d_fem"],
-            Self::Two => ["outer_shape", "structure"],
-        }
-    }
-
-    /// The unit of angles \[rad\].
-    fn angle(self) -> f64 {
-        match self {
-            Self::One => 1.0,
-            Self::Two => PI / 180.0,
-        }
     }
 }
 
@@ -148,10 +127,7 @@ fn blade(
 ) -> Option<Layup> {
     let parts = required(root, "the file", "components", notes)?;
     let blade = required(parts, "components", "blade", notes)?;
-    let version = match blade.entry(Version::One.tables()[0]) {
-        Some(_) => Version::One,
-        None => Version::Two,
-    };
+    let version = version::read(root, blade, notes)?;
     let [outer, structure] = version.tables();
     let outer = required(blade, "the blade", outer, notes);
     let structure = required(blade, "the blade", structure, notes);
@@ -160,6 +136,7 @@ fn blade(
     let structure = structure?;
     let places = Places::new(structure, version, tilt.as_ref(), notes);
     let (used, parts) = layers::read(structure, root, &places, notes);
+    known::report_others(structure, version, notes);
     let constants = materials::constants(root, &used, materials, notes);
     let (shape, (layers, webs)) = (shape?, parts?);
     for (line, problem) in wrong_names(&layers, &webs, &[]) {
@@ -198,33 +175,40 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
         .filter_map(|eta| Some((eta, Resolver::new(layup, eta).ok()?)))
         .collect();
     let mut reported = Vec::new();
-    for doubt in doubts {
-        let mut worst = [0.0, 0.0];
+    for Doubt {
+        what,
+        line,
+        rules,
+        pair,
+    } in doubts
+    {
+        let mut worst = (0.0, String::new());
         for (eta, resolver) in &resolvers {
-            if !doubt.pair.iter().all(|place| place.covers(*eta)) {
+            if !pair.iter().all(|place| place.covers(*eta)) {
                 continue;
             }
-            let [Some(given), Some(rule)] =
-                doubt.pair.each_ref().map(|place| resolver.place(place))
+            let [Some(used), Some(other)] = pair.each_ref().map(|place| resolver.place(place))
             else {
                 continue;
             };
-            let difference = (given[0] - rule[0]).abs() * given[1];
-            if difference > worst[0] {
-                worst = [difference, *eta];
+            let difference = (used[0] - other[0]).abs() * used[1];
+            if difference > worst.0 {
+                let values = format!(
+                    "{:.4} by {}, {:.4} by {} at eta {eta}",
+                    used[0], rules[0], other[0], rules[1]
+                );
+                worst = (difference, values);
             }
         }
-        if worst[0] > SAME_PLACE {
-            reported.push(format!(
-                "{} (line {}) {:.2} at eta {}",
-                doubt.what, doubt.line, worst[0], worst[1]
-            ));
+        if worst.0 > SAME_PLACE {
+            reported.push(format!("{what} (line {line}) {}", worst.1));
         }
     }
     if !reported.is_empty() {
+        let percent = 100.0 * SAME_PLACE;
         notes.remarks.push(format!(
-            "arcs are used where they differ from the plane or width of the same place, in parts \
-             of the chord: {}",
+            "of several rules for one place the first is used; they differ by more than \
+             {percent} % of the chord, in parts of the contour: {}",
             reported.join("; ")
         ));
     }

@@ -124,6 +124,13 @@ enum Written<'x> {
     Element(Element<'x>),
 }
 
+impl Written<'_> {
+    /// Whether another one is not the same row of a file; rows may repeat a point.
+    fn differs(&self, other: &Self) -> bool {
+        !matches!((self, other), (Self::Given(a), Self::Given(b)) if a == b)
+    }
+}
+
 /// All points and lines of the files.
 pub(super) struct Geometry<'x> {
     points: Vec<(String, Written<'x>)>,
@@ -192,6 +199,8 @@ impl<'x> Geometry<'x> {
             notes.unknown(at, ["the base line", name], &names);
             return None;
         };
+        let count = self.lines.iter().filter(|one| one.0 == name).count();
+        notes.again(element, count > 1);
         self.enter(name, at, notes)?;
         let made = self.made(name, element, notes);
         self.path.pop();
@@ -261,6 +270,12 @@ impl<'x> Geometry<'x> {
             }
             return edge;
         };
+        let mut others = self.points.iter().filter(|one| one.0 == name).skip(1);
+        if others.any(|other| other.1.differs(&found)) {
+            notes.remarks.push(format!(
+                "the point \"{name}\" is defined twice, and the first one is used"
+            ));
+        }
         self.enter(name, at, notes)?;
         let spot = match found {
             Written::Given(at) => Some(Spot { at, on: None }),

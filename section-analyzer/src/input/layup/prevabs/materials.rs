@@ -127,7 +127,7 @@ impl<'x> Known<'x> {
             let remark = "materials of PreVABS are taken as given, without repair";
             notes.remarks.push(remark.to_owned());
         }
-        let help = "correct the constants of the material";
+        let help = |_: &str| Some("correct the constants of the material");
         is_complete.then(|| checked(text, &origins, help, &mut notes.problems))?
     }
 }

@@ -6,11 +6,15 @@ use shared_geom::exchange::yaml::{Node, Value};
 use super::super::course::Course;
 use super::super::place::Place;
 use super::super::{Toward, WrittenLayer, WrittenWeb};
-use super::places::Places;
-use super::{Notes, Version, course, items, required, word};
+use super::angles::{self, Angle};
+use super::places::{Holder, Places};
+use super::version::Version;
+use super::{Notes, course, items, required, word};
 
 /// Parts of a web or an angle that differ by less are equal [-] or \[rad\].
 const SAME: f64 = 1e-6;
+/// Largest difference of a thickness and its plies that is not reported, as a part of them.
+const SAME_THICKNESS: f64 = 0.01;
 /// Tables of the structure that are read, or that do not belong to a section.
 const KNOWN: [&str; 8] = [
     "anchors",
@@ -154,7 +158,7 @@ fn layer<'n>(
     let range =
         ["start_nd_grid", "end_nd_grid"].map(|key| item.entry(key)?.text().and_then(number));
     let arcs = match item.entry("web") {
-        None => places.of(item, &what, notes),
+        None => places.of(Holder::Layer, item, &what, notes),
         Some(_) => Some([Place::arc(0.0), Place::arc(1.0)]),
     };
     let thickness = thickness?.within([range[0].unwrap_or(0.0), range[1].unwrap_or(1.0)]);
@@ -176,29 +180,65 @@ fn layer<'n>(
 
 /// The thickness, also by the number of plies of the thickness of the material.
 fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Course> {
-    let plies = item.entry("n_plies");
-    let (key, factor) = match (item.entry("thickness"), plies) {
-        (None, Some(plies)) => {
-            let material = item
-                .entry("material")
-                .and_then(Node::text)
-                .unwrap_or_default();
-            let known = super::named(root, material)
-                .and_then(|material| material.entry("ply_t"))
-                .and_then(|ply| ply.text().and_then(number));
-            if known.is_none() {
-                let found = format!("a number of plies of \"{material}\", which has no ply_t");
-                let help = "give ply_t of the material, or the thickness of the layer";
-                notes.wrong(
-                    plies.line,
-                    [&format!("thickness of {of}"), &found, "a thickness", help],
-                );
-            }
-            ("n_plies", known?)
+    let (given, plies) = (item.entry("thickness"), item.entry("n_plies"));
+    let material = item.entry("material").and_then(Node::text).unwrap_or("");
+    let ply = super::named(root, material)
+        .and_then(|material| material.entry("ply_t"))
+        .and_then(|ply| ply.text().and_then(number));
+    match (given, plies, ply) {
+        (Some(node), Some(plies), Some(ply)) => {
+            let thickness = measure(node, ("thickness", of), notes);
+            let plies = measure(plies, ("n_plies", of), notes);
+            let (thickness, plies) = (thickness?, plies?);
+            compare(
+                item.line,
+                of,
+                [&thickness, &plies.map(|_, n| n * ply)],
+                notes,
+            );
+            Some(thickness)
         }
-        _ => ("thickness", 1.0),
+        (None, Some(plies), Some(ply)) => {
+            let plies = measure(plies, ("n_plies", of), notes)?;
+            Some(plies.map(|_, value| ply * value))
+        }
+        (None, Some(plies), None) => {
+            let found = format!("a number of plies of \"{material}\", which has no ply_t");
+            let help = "give ply_t of the material, or the thickness of the layer";
+            notes.wrong(
+                plies.line,
+                [&format!("thickness of {of}"), &found, "a thickness", help],
+            );
+            None
+        }
+        _ => {
+            let node = required(item, of, "thickness", notes)?;
+            measure(node, ("thickness", of), notes)
+        }
+    }
+}
+
+/// Remarks on a thickness that is not the one of the number of plies.
+fn compare(line: usize, of: &str, [given, by_plies]: [&Course; 2], notes: &mut Notes) {
+    let difference = given.plus(by_plies, -1.0);
+    let is_other = |(eta, difference): &(f64, f64)| {
+        difference.abs() > SAME_THICKNESS * given.at(*eta).max(by_plies.at(*eta))
     };
-    let node = required(item, of, key, notes)?;
+    let worst = difference
+        .points()
+        .filter(is_other)
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    if let Some((eta, _)) = worst {
+        let [given, by_plies] = [given, by_plies].map(|course| 1e3 * course.at(eta));
+        notes.remarks.push(format!(
+            "line {line}: the thickness of {of} is used, {given:.4} mm at {eta}; n_plies times \
+             ply_t of the material is {by_plies:.4} mm"
+        ));
+    }
+}
+
+/// A thickness or a number of plies along the span.
+fn measure(node: &Node, (key, of): (&str, &str), notes: &mut Notes) -> Option<Course> {
     let is_list = |node: &Node| matches!(&node.value, Value::List(_));
     let is_plane = node
         .entry("values")
@@ -222,7 +262,7 @@ fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Co
         );
         return None;
     }
-    Some(read.map(|_, value| factor * value))
+    Some(read)
 }
 
 /// The angle of the fibers, toward the leading edge \[rad\].
@@ -232,6 +272,8 @@ fn fiber_angle(item: &Node, of: &str, version: Version, notes: &mut Notes) -> Op
     };
     let what = format!("fiber_orientation of {of}");
     let read = course(node, &what, notes)?;
+    let at = (what.as_str(), node.line);
+    angles::check(version, at, read.points(), Angle::Small, notes)?;
     let first = read.at(0.0);
     if let Some((eta, other)) = read
         .points()
@@ -249,7 +291,7 @@ fn fiber_angle(item: &Node, of: &str, version: Version, notes: &mut Notes) -> Op
 fn web<'n>(node: &'n Node, places: &Places<'n>, notes: &mut Notes) -> Option<WrittenWeb> {
     let name = word(node, "a web", "name", notes)?;
     let what = format!("web \"{name}\"");
-    let pair = places.of(node, &what, notes)?;
+    let pair = places.of(Holder::Web, node, &what, notes)?;
     let mut range = [0.0_f64, 1.0];
     for place in &pair {
         if let [first, .., last] = place.positions() {
@@ -321,7 +363,7 @@ fn bond_lines<'n>(
         let material = word(bond, &of, "material", notes);
         let thickness = required(bond, &of, "thickness", notes)
             .and_then(|at| course(at, &format!("bond line of {of}"), notes));
-        let [from, to] = places.of(flange, &of, notes)?;
+        let [from, to] = places.of(Holder::Layer, flange, &of, notes)?;
         layers.push(WrittenLayer {
             name: format!("{name}_bond_{}", index + 1),
             material: material?.to_owned(),

@@ -70,8 +70,16 @@ pub(super) fn constants(
     let file = PathBuf::from(&notes.file);
     let origin = |line: usize| Some((file.clone(), line));
     let origins: Vec<_> = lines.into_iter().map(origin).collect();
-    let repair = "--repair-materials takes smaller Poisson's ratios";
     checked(text, &origins, repair, &mut notes.problems)
+}
+
+/// The remedy for the row of a law that Poisson's ratios make impossible; problems of several
+/// constants are on the row of the material.
+fn repair(row: &str) -> Option<&str> {
+    let is_of_ratios = ["nu", "poisson", "[material"]
+        .iter()
+        .any(|start| row.starts_with(start));
+    is_of_ratios.then_some("--repair-materials takes smaller Poisson's ratios")
 }
 
 /// The table of a material.

@@ -1,7 +1,4 @@
-//! Places of layers and webs in windIO files.
-//!
-//! Of several rules the first wins: both arcs, one arc and the width, the middle and the width, a
-//! plane (and the width), all around. A layer that starts at arc 1 and ends before it starts at 0.
+//! Places that windIO files name: tables of arcs, and the anchors of version 2.
 
 use std::cell::RefCell;
 
@@ -9,23 +6,42 @@ use shared_geom::exchange::ExchangeProblem;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::yaml::{Node, Value};
 
-use super::super::course::Course;
-use super::super::place::{Place, PlaceForm, SIDES};
+use super::super::place::{Place, PlaceForm};
 use super::planes::Tilt;
-use super::{Notes, Version, course, items, word};
+use super::version::Version;
+use super::{Notes, course, items, word};
 
-const START: &str = "start_nd_arc";
-const END: &str = "end_nd_arc";
-const MIDDLE: &str = "midpoint_nd_arc";
+pub(super) const START: &str = "start_nd_arc";
+pub(super) const END: &str = "end_nd_arc";
+pub(super) const MIDDLE: &str = "midpoint_nd_arc";
 /// Rules of anchors beside their arcs.
-const RULES: [&str; 4] = ["offset_arc", "offset_nd_arc", "plane_intersection", "width"];
+pub(super) const RULES: [&str; 4] = ["offset_arc", "offset_nd_arc", "plane_intersection", "width"];
 /// Round-off of arcs [-].
-const ROUND_OFF: f64 = 1e-6;
+pub(super) const ROUND_OFF: f64 = 1e-6;
+
+/// Keys of rules for places.
+pub(super) const KEYS: [&str; 7] = [
+    START,
+    END,
+    MIDDLE,
+    "offset_y_pa",
+    "rotation",
+    "side",
+    "width",
+];
+
+/// What has a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holder {
+    Layer,
+    Web,
+}
 
 /// A place that two rules determine: the one that is used first.
 pub(super) struct Doubt {
     pub what: String,
     pub line: usize,
+    pub rules: [&'static str; 2],
     pub pair: [Place; 2],
 }
 
@@ -33,8 +49,8 @@ pub(super) struct Doubt {
 pub(super) struct Places<'n> {
     pub version: Version,
     anchors: Vec<(&'n str, &'n Node)>,
-    layers: Vec<(&'n str, &'n Node)>,
-    tilt: Option<&'n Tilt>,
+    pub layers: Vec<(&'n str, &'n Node)>,
+    pub tilt: Option<&'n Tilt>,
     pub doubts: RefCell<Vec<Doubt>>,
 }
 
@@ -63,29 +79,8 @@ impl<'n> Places<'n> {
         }
     }
 
-    /// Start and end of a layer, or the places of a web on both sides.
-    pub fn of(&self, item: &'n Node, what: &str, notes: &mut Notes) -> Option<[Place; 2]> {
-        let pair = match self.version {
-            Version::One => self.version_1(item, what, notes),
-            Version::Two => {
-                let mut one = |key: &str, around: f64| match item.entry(key) {
-                    Some(node) => {
-                        let what = format!("{key} of {what}");
-                        let place = self.referred(node, &what, &mut Vec::new(), notes)?;
-                        Some(self.end_of_layer(item, node).unwrap_or(place))
-                    }
-                    None => Some(Place::arc(around)),
-                };
-                let pair = [one(START, 0.0), one(END, 1.0)];
-                let [start, end] = pair;
-                Some([start?, end?])
-            }
-        };
-        pair.map(|pair| wrapped(pair, what, item.line, notes))
-    }
-
     /// The end of another layer, if its anchor is the anchor of a place.
-    fn end_of_layer(&self, item: &Node, node: &Node) -> Option<Place> {
+    pub fn end_of_layer(&self, item: &Node, node: &Node) -> Option<Place> {
         let named = |node: &'_ Node| {
             let anchor = node.entry("anchor")?;
             let of = |key: &str| anchor.entry(key).and_then(Node::text).map(str::to_owned);
@@ -165,15 +160,23 @@ impl<'n> Places<'n> {
         let is_arc = arc.is_some_and(|node| node.entry("grid").is_some());
         if is_arc && has_rule && path.is_empty() && is_new() {
             let by_rule = self.derived(anchor, (name, handle), path, notes);
+            let mut rules = RULES.into_iter();
+            let used = rules.find(|key| rule(anchor, key, handle).is_some());
             if let (Some(place), Some(by_rule)) = (&place, by_rule) {
-                self.doubt(of, anchor.line, [place.clone(), by_rule]);
+                self.doubt(Doubt {
+                    what: of,
+                    line: anchor.line,
+                    rules: ["arcs", used.unwrap_or("rule")],
+                    pair: [place.clone(), by_rule],
+                });
             }
         }
         place
     }
 
-    fn doubt(&self, what: String, line: usize, pair: [Place; 2]) {
-        self.doubts.borrow_mut().push(Doubt { what, line, pair });
+    /// Remembers a place of two rules, to be compared.
+    pub fn doubt(&self, doubt: Doubt) {
+        self.doubts.borrow_mut().push(doubt);
     }
 
     /// A place of an anchor by its rules.
@@ -231,110 +234,6 @@ impl<'n> Places<'n> {
             .push(anchor.line, &ExchangeProblem::Missing { what, help });
         None
     }
-
-    /// Start and end of a layer or web of version 1.
-    fn version_1(&self, item: &'n Node, of: &str, notes: &mut Notes) -> Option<[Place; 2]> {
-        let arcs = [START, END, MIDDLE].map(|key| match item.entry(key) {
-            Some(node) => self.fixed(node, key, of, notes).map(Some),
-            None => Some(None),
-        });
-        let width = match item.entry("width") {
-            Some(node) => course(node, &format!("width of {of}"), notes).map(Some),
-            None => Some(None),
-        };
-        let [start, end, middle] = arcs;
-        let (start, end, middle, width) = (start?, end?, middle?, width?);
-        let around = |middle: Place, width: &Course| {
-            [-0.5, 0.5].map(|part| middle.clone().shifted(width, part))
-        };
-        let plane = match item.entry("offset_y_pa") {
-            Some(_) => Some(self.plane_1(item, of, width.as_ref(), notes)?),
-            None => None,
-        };
-        Some(match (start, end, middle, width) {
-            (Some(start), Some(end), ..) => {
-                if let Some(rule) = plane {
-                    let pairs = [start.clone(), end.clone()].into_iter().zip(rule);
-                    for (key, (place, rule)) in [START, END].iter().zip(pairs) {
-                        self.doubt(format!("{key} of {of}"), item.line, [place, rule]);
-                    }
-                }
-                [start, end]
-            }
-            (Some(start), None, _, Some(width)) => {
-                let end = start.clone().shifted(&width, 1.0);
-                [start, end]
-            }
-            (None, Some(end), _, Some(width)) => [end.clone().shifted(&width, -1.0), end],
-            (_, _, Some(middle), Some(width)) => around(middle, &width),
-            (start, end, ..) => match plane {
-                Some(pair) => pair,
-                None => [
-                    start.unwrap_or_else(|| Place::arc(0.0)),
-                    end.unwrap_or_else(|| Place::arc(1.0)),
-                ],
-            },
-        })
-    }
-
-    /// The places of `offset_y_pa`: of a web on both sides, of a layer with its width on one.
-    fn plane_1(
-        &self,
-        item: &'n Node,
-        of: &str,
-        width: Option<&Course>,
-        notes: &mut Notes,
-    ) -> Option<[Place; 2]> {
-        let tilt = self.tilt?;
-        let Some(width) = width else {
-            let both = [0, 1].map(|side| tilt.version_1(item, of, side, notes).map(Place::of));
-            let [suction, pressure] = both;
-            return Some([suction?, pressure?]);
-        };
-        let side = word(item, of, "side", notes)?;
-        let Some(side) = SIDES.iter().position(|known| *known == side) else {
-            notes.unknown(
-                item.line,
-                &format!("side of {of}"),
-                side,
-                ["a side", &SIDES.join("\n")],
-            );
-            return None;
-        };
-        let middle = Place::of(tilt.version_1(item, of, side, notes)?);
-        Some([-0.5, 0.5].map(|part| middle.clone().shifted(width, part)))
-    }
-
-    /// The place under a key of version 1: a table of arcs, or `fixed` at an edge or a layer.
-    fn fixed(&self, node: &'n Node, key: &str, of: &str, notes: &mut Notes) -> Option<Place> {
-        let what = format!("{key} of {of}");
-        let Some(fixed) = node.entry("fixed") else {
-            return arc(node, &what, notes);
-        };
-        let name = fixed.text().unwrap_or_default();
-        let ends = [(START, "end", 0.0), (END, "start", 1.0)];
-        let end = ends.iter().find(|end| end.0 == key);
-        match (name, end) {
-            ("LE", _) => Some(Place::of(PlaceForm::Named("leading_edge".to_owned()))),
-            ("TE", Some((_, _, around))) => Some(Place::arc(*around)),
-            (_, Some((_, end, _))) if self.layers.iter().any(|layer| layer.0 == name) => {
-                Some(Place::of(PlaceForm::Named(format!("{name}.{end}"))))
-            }
-            ("TE", None) => {
-                let found = "the trailing edge as the middle of a layer";
-                let help = "write two layers, one on each side";
-                notes.wrong(fixed.line, [&what, found, "a place on one side", help]);
-                None
-            }
-            _ => {
-                let layers = self.layers.iter().map(|layer| layer.0);
-                let known: Vec<&str> = ["TE", "LE"].into_iter().chain(layers).collect();
-                let expected = ["TE, LE or the name of a layer", &known.join("\n")];
-                notes.unknown(fixed.line, &what, name, expected);
-                None
-            }
-        }
-    }
 }
 
 /// A rule of an anchor that defines one of its places.
@@ -350,7 +249,7 @@ fn rule<'n>(anchor: &'n Node, key: &str, handle: &str) -> Option<&'n Node> {
 }
 
 /// Whether a table of arcs has the edge of the contour along the whole span.
-fn is_padding(node: &Node) -> bool {
+pub(super) fn is_padding(node: &Node) -> bool {
     let Some(Value::List(list)) = node.entry("values").map(|values| &values.value) else {
         return false;
     };
@@ -376,7 +275,7 @@ fn plane_side(rule: &Node, handle: &str, of: &str, notes: &mut Notes) -> Option<
 }
 
 /// A table of arcs, from 0 to 1.
-fn arc(node: &Node, what: &str, notes: &mut Notes) -> Option<Place> {
+pub(super) fn arc(node: &Node, what: &str, notes: &mut Notes) -> Option<Place> {
     let arcs = course(node, what, notes)?;
     let outside = arcs
         .points()
@@ -391,20 +290,23 @@ fn arc(node: &Node, what: &str, notes: &mut Notes) -> Option<Place> {
     Some(Place::of(PlaceForm::Arc(arcs)))
 }
 
-/// Starts at arc 1 before a smaller end are starts at 0.
-fn wrapped([start, end]: [Place; 2], what: &str, line: usize, notes: &mut Notes) -> [Place; 2] {
-    let (PlaceForm::Arc(from), PlaceForm::Arc(to)) = (&start.form, &end.form) else {
-        return [start, end];
+/// Notes that the place of a layer or web lacks a part.
+pub(super) fn half(
+    holder: Holder,
+    item: &Node,
+    (of, given): (&str, &[&str]),
+    expected: &str,
+    notes: &mut Notes,
+) {
+    let found = match given {
+        [] => "nothing".to_owned(),
+        [one] => format!("{one} alone"),
+        several => several.join(", "),
     };
-    let is_wrong =
-        |eta: f64, arc: f64| arc > 1.0 - ROUND_OFF && to.at(eta) < 1.0 - 100.0 * ROUND_OFF;
-    if !from.points().any(|(eta, arc)| is_wrong(eta, arc)) {
-        return [start, end];
-    }
-    notes.remarks.push(format!(
-        "line {line}: {what} starts at arc 1, beyond its end: arc 0 is taken"
-    ));
-    let from = from.map(|eta, arc| if is_wrong(eta, arc) { 0.0 } else { arc });
-    let form = PlaceForm::Arc(from);
-    [Place { form, ..start }, end]
+    let help = match holder {
+        Holder::Layer => "a layer without any of these keys lies all around",
+        Holder::Web => "a web has a place on each side",
+    };
+    let what = format!("the place of {of}");
+    notes.wrong(item.line, [&what, &found, expected, help]);
 }

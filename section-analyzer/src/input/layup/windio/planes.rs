@@ -24,7 +24,9 @@ use shared_geom::line::ReferenceLine;
 
 use super::super::course::Course;
 use super::super::place::PlaceForm;
-use super::{Notes, Version, course, required};
+use super::angles::{self, Angle};
+use super::version::Version;
+use super::{Notes, course, required};
 
 /// The directions of the sections of a blade.
 pub(super) struct Tilt {
@@ -52,6 +54,9 @@ impl Tilt {
         let node = required(holder, "the blade", "reference_axis", notes);
         let columns = node.and_then(|at| axis(at, &mut notes.problems));
         let (mut twist, columns) = (twist?, columns?);
+        let place = outer.entry("twist").map_or(outer.line, |node| node.line);
+        let pairs = twist.grid.iter().copied().zip(twist.values.iter().copied());
+        angles::check(version, ("twist", place), pairs, Angle::Small, notes)?;
         for angle in &mut twist.values {
             *angle *= version.angle();
         }
@@ -87,8 +92,13 @@ impl Tilt {
         let angle = match item.entry("rotation") {
             // "twist" is a plane normal to the chord
             Some(node) if node.entry("fixed").is_some() => Some(Course::constant(0.0)),
-            Some(node) => course(node, &format!("rotation of {of}"), notes)
-                .map(|rotation| self.twist.plus(&rotation, 1.0)),
+            Some(node) => {
+                let what = format!("rotation of {of}");
+                let rotation = course(node, &what, notes)?;
+                let at = (what.as_str(), node.line);
+                angles::check(self.version, at, rotation.points(), Angle::Any, notes)?;
+                Some(self.twist.plus(&rotation, 1.0))
+            }
             None => Some(self.twist.clone()),
         };
         Some(PlaceForm::Plane(offset?, angle?, side))

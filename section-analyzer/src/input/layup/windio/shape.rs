@@ -7,10 +7,14 @@ use super::super::LayupFileProblem;
 use super::super::course::Course;
 use super::super::shape::{Points, Shape};
 use super::airfoil::contour;
-use super::{Notes, Version, course, items, required};
+use super::version::Version;
+use super::{Notes, course, items, required};
 
-/// Thicknesses that differ by less are one [-].
+/// Thicknesses and positions that differ by less are one [-].
 const SAME: f64 = 1e-6;
+
+/// The position of an airfoil, if it has one, and its name.
+type Label<'n> = (Option<f64>, &'n Node);
 
 /// An airfoil of the blade.
 struct Placed {
@@ -42,8 +46,9 @@ pub(super) fn read(
     let origin = required(outer, what, key, notes).and_then(|at| course(at, key, notes));
     let labels = match version {
         Version::One => labels_1(outer, notes),
-        Version::Two => labels_2(outer, notes),
+        Version::Two => labels_2(outer, outer.entry("rthick").is_some(), notes),
     };
+    let labels = ascending(labels?, notes);
     let airfoils = placed(root, labels?, notes)?;
     let (chord, origin) = (chord?, origin?);
     let origin = match version {
@@ -79,7 +84,7 @@ pub(super) fn read(
 }
 
 /// Positions and names of version 1.
-fn labels_1<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<(f64, &'n Node)>> {
+fn labels_1<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<Label<'n>>> {
     let what = "airfoil_position";
     let table = required(outer, "the outer shape", what, notes)?;
     let grid = required(table, what, "grid", notes)
@@ -92,22 +97,53 @@ fn labels_1<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<(f64, &'n Node
         notes.wrong(table.line, [what, &found, expected, "complete the list"]);
         return None;
     }
-    Some(grid.into_iter().zip(labels).collect())
+    Some(grid.into_iter().map(Some).zip(labels).collect())
 }
 
-/// Positions and names of version 2.
-fn labels_2<'n>(outer: &'n Node, notes: &mut Notes) -> Option<Vec<(f64, &'n Node)>> {
+/// Positions and names of version 2, which needs no positions if the blade has thicknesses.
+fn labels_2<'n>(outer: &'n Node, has_thickness: bool, notes: &mut Notes) -> Option<Vec<Label<'n>>> {
     let list = required(outer, "the outer shape", "airfoils", notes)?;
     let airfoils = items(list, "airfoils", notes)?;
     let one = |item: &'n Node| {
         let what = "an airfoil of the outer shape";
-        let at = required(item, what, "spanwise_position", notes)
-            .and_then(|at| one_number(at, "spanwise_position", notes));
+        let key = "spanwise_position";
+        let at = match item.entry(key) {
+            None if has_thickness => Some(None),
+            _ => required(item, what, key, notes)
+                .and_then(|at| one_number(at, key, notes))
+                .map(Some),
+        };
         let name = required(item, what, "name", notes);
         Some((at?, name?))
     };
     let all: Vec<_> = airfoils.into_iter().map(one).collect();
     all.into_iter().collect()
+}
+
+/// Notes positions of airfoils that do not grow from the root to the tip.
+fn ascending<'n>(labels: Vec<Label<'n>>, notes: &mut Notes) -> Option<Vec<Label<'n>>> {
+    let mut is_right = true;
+    let mut last = f64::NEG_INFINITY;
+    for (at, label) in &labels {
+        let Some(at) = at else {
+            continue;
+        };
+        let found = match *at {
+            at if !(-SAME..=1.0 + SAME).contains(&at) => format!("{at}"),
+            at if at <= last => format!("{at} after {last}"),
+            _ => {
+                last = *at;
+                continue;
+            }
+        };
+        is_right = false;
+        let name = label.text().unwrap_or_default();
+        let what = format!("the position of airfoil \"{name}\"");
+        let expected = "positions from 0 to 1 that grow";
+        let help = "list the airfoils from root (0) to tip (1), one at each position";
+        notes.wrong(label.line, [&what, &found, expected, help]);
+    }
+    is_right.then_some(labels)
 }
 
 fn one_number(node: &Node, what: &str, notes: &mut Notes) -> Option<f64> {
@@ -122,12 +158,16 @@ fn one_number(node: &Node, what: &str, notes: &mut Notes) -> Option<f64> {
 }
 
 /// The airfoils at positions along the span, by their names.
-fn placed(root: &Node, labels: Vec<(f64, &Node)>, notes: &mut Notes) -> Option<Vec<(f64, Placed)>> {
+fn placed(
+    root: &Node,
+    labels: Vec<Label<'_>>,
+    notes: &mut Notes,
+) -> Option<Vec<(Option<f64>, Placed)>> {
     let list = required(root, "the file", "airfoils", notes)?;
     let known = items(list, "airfoils", notes)?;
     let name_of = |item: &Node| item.entry("name").and_then(Node::text).map(str::to_owned);
     let names: Vec<String> = known.iter().filter_map(|item| name_of(item)).collect();
-    let mut all: Vec<(f64, Placed)> = Vec::new();
+    let mut all: Vec<(Option<f64>, Placed)> = Vec::new();
     let mut is_complete = !labels.is_empty();
     for (at, label) in labels {
         let name = label.text().unwrap_or_default();
@@ -178,14 +218,11 @@ fn airfoil(item: &Node, name: &str, notes: &mut Notes) -> Option<Placed> {
 
 /// Relative thickness over the span if the file has no table of it: of the airfoils at
 /// their positions.
-fn by_position(airfoils: &[(f64, Placed)]) -> Option<Course> {
-    let mut points: Vec<(f64, f64)> = airfoils
+fn by_position(airfoils: &[(Option<f64>, Placed)]) -> Option<Course> {
+    let points = airfoils
         .iter()
-        .map(|(at, one)| (at.clamp(0.0, 1.0), one.thickness))
-        .collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    points.dedup_by(|a, b| a.0 <= b.0);
-    let (eta, value): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
+        .filter_map(|(at, one)| Some(((*at)?, one.thickness)));
+    let (eta, value): (Vec<f64>, Vec<f64>) = points.unzip();
     match eta.len() {
         0 => None,
         1 => Some(Course::constant(value[0])),
@@ -194,7 +231,7 @@ fn by_position(airfoils: &[(f64, Placed)]) -> Option<Course> {
 }
 
 /// The airfoils in ascending order of their thicknesses, one of each.
-fn by_thickness(airfoils: Vec<(f64, Placed)>, notes: &mut Notes) -> Vec<(f64, Points)> {
+fn by_thickness(airfoils: Vec<(Option<f64>, Placed)>, notes: &mut Notes) -> Vec<(f64, Points)> {
     let mut all: Vec<Placed> = airfoils.into_iter().map(|(_, one)| one).collect();
     all.sort_by(|a, b| a.thickness.total_cmp(&b.thickness));
     all.dedup_by(|next, kept| {

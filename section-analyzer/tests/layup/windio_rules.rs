@@ -1,0 +1,317 @@
+//! Rules for places in windIO files, complete and not, and values that files give twice or in other
+//! units.
+
+use std::f64::consts::TAU;
+
+use section_analyzer::input::layup::Layup;
+
+use crate::sections::close;
+use crate::windio::{read, tube};
+
+/// The tube, of radius 1 m, as a file of version 1: a skin, and a layer with further lines.
+fn version_1(lines: &str) -> String {
+    let (_, text) = tube();
+    let (_, rest) = text.split_once("\nairfoils:\n").expect("airfoils");
+    let flat = |value: f64| format!("{{grid: [0, 1], values: [{value}, {value}]}}");
+    let (zero, half) = (flat(0.0), flat(0.5));
+    let axis = format!("{{x: {zero}, y: {zero}, z: {{grid: [0, 1], values: [0, 40]}}}}");
+    let lines: String = lines
+        .lines()
+        .map(|line| format!("          {line}\n"))
+        .collect();
+    format!(
+        "components:
+  blade:
+    outer_shape_bem:
+      airfoil_position: {{grid: [0, 1], labels: [circle, circle]}}
+      chord: {{grid: [0, 1], values: [2, 2]}}
+      twist: {zero}
+      pitch_axis: {half}
+      reference_axis: {axis}
+    internal_structure_2d_fem:
+      webs:
+        - name: web
+          start_nd_arc: {{grid: [0, 1], values: [0.3, 0.3]}}
+          end_nd_arc: {{grid: [0, 1], values: [0.7, 0.7]}}
+      layers:
+        - name: skin
+          material: glass
+          thickness: {{grid: [0, 1], values: [0.01, 0.01]}}
+        - name: part
+          material: glass
+          thickness: {{grid: [0, 1], values: [0.002, 0.002]}}
+{lines}airfoils:
+{rest}"
+    )
+}
+
+/// Lines of tables with one value each.
+fn flat(values: &[(&str, f64)]) -> String {
+    let line = |(key, value): &(&str, f64)| {
+        format!("{key}: {{grid: [0, 1], values: [{value}, {value}]}}\n")
+    };
+    values.iter().map(line).collect()
+}
+
+fn blade(lines: &str) -> Layup {
+    read(&version_1(lines)).unwrap_or_else(|problems| panic!("{lines}: {problems}"))
+}
+
+/// The one remark about a word.
+fn remark(layup: &Layup, word: &str) -> String {
+    let all = layup.remarks.iter().filter(|one| one.contains(word));
+    let all: Vec<&String> = all.collect();
+    assert_eq!(all.len(), 1, "{word}: {:?}", layup.remarks);
+    all[0].clone()
+}
+
+/// On a circle of radius R a width w is the arc w / (2 pi R): each complete rule has the places of
+/// its closed form.
+#[test]
+fn complete_rules_have_their_places() {
+    let plane = [("offset_y_pa", 0.0), ("rotation", 0.0), ("width", 0.8)];
+    let by_plane = flat(&plane) + "side: suction\n";
+    let width = 0.8 / TAU;
+    let cases = [
+        (
+            flat(&[("start_nd_arc", 0.2), ("width", 0.8)]),
+            [0.2, 0.2 + width],
+        ),
+        (
+            flat(&[("end_nd_arc", 0.4), ("width", 0.8)]),
+            [0.4 - width, 0.4],
+        ),
+        (
+            flat(&[("midpoint_nd_arc", 0.3), ("width", 0.8)]),
+            [0.3 - 0.5 * width, 0.3 + 0.5 * width],
+        ),
+        (by_plane.clone(), [0.25 - 0.5 * width, 0.25 + 0.5 * width]),
+        (
+            flat(&[("start_nd_arc", 0.2), ("end_nd_arc", 0.4)]),
+            [0.2, 0.4],
+        ),
+        (String::new(), [0.0, 1.0]),
+    ];
+    for (lines, expected) in cases {
+        let layup = blade(&lines);
+        let section = layup
+            .section(0.5)
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let part = section.layers.iter().find(|layer| layer.name == "part");
+        let part = part.expect("the layer");
+        close(1.0 + part.from, 1.0 + expected[0], 1e-6, &lines);
+        close(part.to, expected[1], 1e-6, &lines);
+        assert!(
+            layup.remarks.iter().all(|one| !one.contains("rules")),
+            "{lines}"
+        );
+    }
+}
+
+/// Where two rules differ by more than 0.02 chords, an arc of 0.00637, both values are named.
+#[test]
+fn rules_that_differ_are_named() {
+    let width = 0.8 / TAU;
+    let both = |end: f64| flat(&[("start_nd_arc", 0.2), ("end_nd_arc", end), ("width", 0.8)]);
+    assert!(
+        blade(&both(0.2 + width + 0.0053))
+            .remarks
+            .iter()
+            .all(|one| !one.contains("rules"))
+    );
+    let far = blade(&both(0.2 + width + 0.0073));
+    let expected = "end_nd_arc of layer \"part\" (line 18) 0.3346 by arcs, 0.3273 by start_nd_arc \
+                    and width at eta 0";
+    assert!(
+        remark(&far, "rules").ends_with(expected),
+        "{:?}",
+        far.remarks
+    );
+    let padded = both(0.2 + width) + &flat(&[("midpoint_nd_arc", 0.0)]);
+    let padded = blade(&padded).remarks;
+    assert!(
+        padded.iter().all(|one| !one.contains("rules")),
+        "{padded:?}"
+    );
+    let middle = flat(&[
+        ("start_nd_arc", 0.2),
+        ("end_nd_arc", 0.4),
+        ("midpoint_nd_arc", 0.32),
+    ]);
+    let expected = "0.3000 by arcs, 0.3200 by midpoint_nd_arc at eta 0";
+    assert!(remark(&blade(&middle), "rules").ends_with(expected));
+    let plane = [("offset_y_pa", 0.0), ("rotation", 0.0), ("width", 0.8)];
+    let by_plane = flat(&plane) + "side: suction\n";
+    let other = flat(&[("midpoint_nd_arc", 0.3)]) + &by_plane;
+    let expected = "by midpoint_nd_arc and width, 0.3137 by offset_y_pa at eta 0";
+    assert!(remark(&blade(&other), "rules").ends_with(expected));
+}
+
+/// A part of a rule names what it lacks.
+#[test]
+fn half_rules_are_refused() {
+    let plane = flat(&[("offset_y_pa", 0.0), ("rotation", 0.0)]) + "side: suction\n";
+    let cases = [
+        (
+            flat(&[("width", 0.8)]),
+            "width alone, expected start_nd_arc, end_nd_arc, midpoint",
+        ),
+        (
+            flat(&[("start_nd_arc", 0.2)]),
+            "start_nd_arc alone, expected end_nd_arc or width too",
+        ),
+        (
+            flat(&[("end_nd_arc", 0.2)]),
+            "end_nd_arc alone, expected start_nd_arc or width too",
+        ),
+        (
+            flat(&[("midpoint_nd_arc", 0.2)]),
+            "midpoint_nd_arc alone, expected width too",
+        ),
+        (plane, "offset_y_pa, rotation, side, expected width too"),
+        (
+            flat(&[("rotation", 0.0)]),
+            "rotation alone, expected offset_y_pa, width and side",
+        ),
+    ];
+    let whole = version_1("");
+    for (lines, expected) in cases {
+        let problem = read(&version_1(&lines)).err();
+        let problem = problem.unwrap_or_else(|| panic!("{lines} is read"));
+        let expected = format!("a.yaml:18: the place of layer \"part\": found {expected}");
+        assert!(problem.contains(&expected), "{problem}");
+    }
+    let start = "          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}\n";
+    let web = read(&whole.replace(start, "")).expect_err("half a web");
+    assert!(
+        web.contains("the place of web \"web\": found end_nd_arc alone, expected start_nd_arc too")
+    );
+    // version 2
+    let (_, text) = tube();
+    let start = "          start_nd_arc: {anchor: {name: cap, handle: start_nd_arc}}\n";
+    assert!(text.contains(start));
+    let half = read(&text.replace(start, "")).expect_err("half a rule");
+    assert!(
+        half.contains("the place of layer \"cap\": found end_nd_arc alone"),
+        "{half}"
+    );
+}
+
+/// Angles of version 1 are in rad: degrees are an error, and more than a right angle a remark.
+#[test]
+fn angles_of_version_1_are_in_rad() {
+    let fibers = |angle: f64| version_1(&flat(&[("fiber_orientation", angle)]));
+    let problem = read(&fibers(20.0)).expect_err("degrees");
+    let expected = "fiber_orientation of layer \"part\": found 20 at 1, expected an angle in rad";
+    assert!(problem.contains(expected), "{problem}");
+    let wide = read(&fibers(2.0)).unwrap_or_else(|problems| panic!("{problems}"));
+    remark(&wide, "is 2 rad = 114.6 deg");
+    let zero = "twist: {grid: [0, 1], values: [0, 0]}";
+    let turned = version_1("").replace(zero, "twist: {grid: [0, 1], values: [10, 0]}");
+    assert!(
+        read(&turned)
+            .expect_err("degrees")
+            .contains("twist: found 10 at 0, expected")
+    );
+    let plane = flat(&[("offset_y_pa", 0.0), ("rotation", 10.0), ("width", 0.8)]);
+    let plane = read(&version_1(&(plane + "side: suction\n"))).expect_err("degrees");
+    assert!(
+        plane.contains("rotation of layer \"part\": found 10 at 1"),
+        "{plane}"
+    );
+}
+
+/// Versions, unknown keys, positions of airfoils and two thicknesses.
+#[test]
+fn other_contents_are_named() {
+    let (_, text) = tube();
+    let cases = [
+        (
+            "'2.0'",
+            "'3.0'",
+            "windIO_version: found \"3.0\", expected 1 or 2",
+        ),
+        (
+            "'2.0'",
+            "'1.0'",
+            "expected 2, whose tables are outer_shape and structure",
+        ),
+        (
+            "position: 1}",
+            "position: 0}",
+            "airfoil \"circle\": found 0 after 0, expected",
+        ),
+        (
+            "position: 1}",
+            "position: 1.5}",
+            "airfoil \"circle\": found 1.5, expected",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let problem = read(&text.replacen(from, to, 1)).err();
+        let problem = problem.unwrap_or_else(|| panic!("{to} is read"));
+        assert!(problem.contains(expected), "{to}: {problem}");
+    }
+    // positions are not needed beside relative thicknesses
+    let without = text
+        .replace(", spanwise_position: 0}", "}")
+        .replace(", spanwise_position: 1}", "}");
+    let [given, without] =
+        [&text, &without].map(|text| read(text).unwrap_or_else(|text| panic!("{text}")));
+    assert_eq!(given.section(0.3).ok(), without.section(0.3).ok());
+    let light = read(&text.replace("rho: 1900", "rho: -1900")).expect_err("a density");
+    assert!(
+        light.contains("is -1900 kg/m^3, expected 0 or more"),
+        "{light}"
+    );
+    assert!(!light.contains("--repair-materials"), "{light}");
+    let other = read(&text.replace("fiber_orientation", "fibre_orientation"));
+    let other = other.unwrap_or_else(|problems| panic!("{problems}"));
+    let expected = "\"fibre_orientation\" of layers (skin) is no key of windIO and has no effect; \
+                    did you mean \"fiber_orientation\"?";
+    remark(&other, expected);
+    // two plies of 1 mm are the thickness, three are not
+    assert!(
+        blade(&flat(&[("n_plies", 2.0)]))
+            .remarks
+            .iter()
+            .all(|one| !one.contains("plies"))
+    );
+    let three = blade(&flat(&[("n_plies", 3.0)]));
+    let expected = "the thickness of layer \"part\" is used, 2.0000 mm at 1; n_plies times ply_t of \
+                    the material is 3.0000 mm";
+    remark(&three, expected);
+}
+
+/// Tabulators separate keys and values as blanks do.
+#[test]
+fn tabulators_separate() {
+    let (_, text) = tube();
+    let tabs = text
+        .replace("name: ", "name:\t")
+        .replace(", values: ", ",\tvalues:\t");
+    let [plain, tabs] =
+        [&text, &tabs].map(|text| read(text).unwrap_or_else(|text| panic!("{text}")));
+    assert_eq!(plain.section(0.5).ok(), tabs.section(0.5).ok());
+}
+
+/// Public files have no key that is not read, and rules that differ only where their numbers do.
+#[test]
+fn public_files_have_no_other_remarks() {
+    let differing = [
+        ("windio1_iea15", 0),
+        ("windio2_iea15", 0),
+        ("windio2_iea22", 2),
+        ("windio2_iea34", 10),
+    ];
+    for (name, count) in differing {
+        let layup = crate::windio::blade(name);
+        assert!(layup.remarks.iter().all(|one| !one.contains("no key")));
+        let rules = layup
+            .remarks
+            .iter()
+            .find(|one| one.contains("several rules"));
+        let found = rules.map_or(0, |one| one.matches(" at eta ").count());
+        assert_eq!(found, count, "{name}: {rules:?}");
+    }
+}
