@@ -43,7 +43,7 @@ mod trim;
 use arguments::{Arguments, Command, Results};
 use blade_options::BladeOptions;
 use progress::Progress;
-use result_locations::result_locations;
+use result_locations::{in_folder, result_locations};
 use terminal::Terminal;
 
 /// The work is done.
@@ -202,7 +202,7 @@ fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
     for (file, input) in files.iter().zip(&inputs) {
         terminal.show(&format!("{}: {}\n", file.display(), input.summary));
         for remark in &input.remarks {
-            terminal.show(&format!("  note: {remark}\n"));
+            terminal.show(&format!("  remark: {remark}\n"));
         }
     }
     terminal.show("\nNo problem found\n");
@@ -282,7 +282,11 @@ fn modes_of_files(
     files::worst_of(
         &jobs,
         terminal,
-        |((input, settings), location), terminal| modes_of(input, settings, location, terminal),
+        |((input, settings), location), terminal| {
+            in_folder(location, "modes", terminal, |terminal| {
+                modes_of(input, settings, location, terminal)
+            })
+        },
     )
 }
 

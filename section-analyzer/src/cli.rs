@@ -28,10 +28,12 @@ mod report;
 mod restored;
 mod schema;
 mod solved;
+mod stream;
 mod strength;
 mod stress;
 
 use arguments::{Arguments, Command};
+use stream::Stream;
 
 /// The work is done.
 const DONE: u8 = 0;
@@ -45,7 +47,7 @@ const WRONG_INPUT: u8 = 2;
 enum Stop {
     /// All problems have been reported; the exit code.
     Reported(u8),
-    /// The terminal or pipe accepts no more output.
+    /// The terminal accepts no more output, for another reason than a closed pipe.
     Closed(io::Error),
 }
 
@@ -74,15 +76,15 @@ pub fn run(
     out: &mut dyn Write,
     err: &mut dyn Write,
 ) -> u8 {
+    let (mut out, mut err) = (Stream(out), Stream(err));
     let mut terminal = Terminal {
-        out,
-        err,
+        out: &mut out,
+        err: &mut err,
         is_quiet: false,
     };
     match dispatch(arguments, &mut terminal) {
         Ok(()) => DONE,
         Err(Stop::Reported(code)) => code,
-        Err(Stop::Closed(error)) if error.kind() == io::ErrorKind::BrokenPipe => DONE,
         Err(Stop::Closed(error)) => {
             // If this fails too, no way to report remains.
             let _ = writeln!(terminal.err, "error: the output cannot be written: {error}");
@@ -163,7 +165,7 @@ impl Terminal<'_> {
     /// Shows warnings about a file.
     fn warn(&mut self, file: &Path, warnings: &[String]) -> io::Result<()> {
         for text in warnings {
-            writeln!(self.out, "  warning: {text}")?;
+            writeln!(self.out, "  remark: {text}")?;
         }
         self.warn_if_quiet(file, warnings)
     }
@@ -197,6 +199,26 @@ impl Terminal<'_> {
 fn warnings_of(input: &Input) -> Vec<String> {
     let warnings = input.summary.warnings.iter();
     warnings.map(ToString::to_string).collect()
+}
+
+/// Lists removed results of an earlier run, with the options that make them: on the error stream
+/// if nothing else is shown.
+fn list_removed(
+    (files, options): (&[PathBuf], &str),
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let heading = format!("Removed: results of an earlier run ({options})");
+    if terminal.is_quiet {
+        for file in files {
+            writeln!(
+                terminal.err,
+                "removed: {}, of an earlier run ({options})",
+                file.display()
+            )?;
+        }
+        return Ok(());
+    }
+    list(&heading, files, terminal)
 }
 
 /// Text of a reported problem, with its remedy.

@@ -13,9 +13,10 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use crate::error::{Diagnostics, Explain, SourceLocation};
-use crate::files::{names_beside, read_bytes};
+use crate::files::{MissingFolder, names_beside, read_bytes};
 use crate::units::{DECLARABLE, Dimension, Units, parse_as};
 
+mod absent;
 mod card;
 mod declare;
 mod include;
@@ -53,6 +54,7 @@ pub struct Document {
     files: Vec<String>,
     root: Vec<Entry>,
     problems: RefCell<Diagnostics>,
+    absent: RefCell<Vec<absent::Absent>>,
     units: RefCell<Units>,
     parameters: RefCell<Parameters>,
 }
@@ -85,6 +87,7 @@ impl Document {
             files,
             root,
             problems: RefCell::default(),
+            absent: RefCell::default(),
             units: RefCell::new(Units::si()),
             parameters: RefCell::default(),
         }
@@ -168,7 +171,8 @@ impl Document {
     /// # Errors
     /// All noted problems, each file in the order of its lines.
     pub fn finish<T>(self, value: Option<T>) -> Result<T, Diagnostics> {
-        let mut problems = self.problems.into_inner();
+        let mut problems = self.problems.take();
+        self.note_folders(&mut problems);
         problems.sort_by_line();
         match value {
             Some(value) => problems.into_result(value),
@@ -223,10 +227,12 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
         let name = path.display().to_string();
         let reason = match error.kind() {
             std::io::ErrorKind::NotFound => {
-                let known = names_beside(path);
-                let problem = DocumentProblem::Absent {
-                    name: name.clone(),
-                    known,
+                let problem = match MissingFolder::before(path) {
+                    Some(folder) => DocumentProblem::AbsentFolder(folder),
+                    None => DocumentProblem::Absent {
+                        name: name.clone(),
+                        known: names_beside(path),
+                    },
                 };
                 return Diagnostics::one(SourceLocation::file(name), &problem);
             }

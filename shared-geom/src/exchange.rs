@@ -51,7 +51,7 @@ pub use crate::blade::Reading;
 pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
-pub use windio::{fields as windio_fields, reference_line};
+pub use windio::{fields as windio_fields, length_remark, reference_line};
 
 /// Number of problems of a blade that are reported one by one.
 const PROBLEMS_SHOWN: usize = 4;
@@ -210,7 +210,7 @@ impl Format {
     pub fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Helicoid => &[".json", ".toml"],
-            Self::BeamDyn => &[".inp"],
+            Self::BeamDyn => &[".inp", "_beamdyn.dat"],
             Self::Hawc2 => &[".htc", ".st"],
             Self::WindIo1 | Self::BeamDyn4 | Self::ElastoDyn => &[],
             Self::OpenFast => &[".fst"],

@@ -6,6 +6,10 @@ use std::path::{Path, PathBuf};
 use crate::error::{Explain, nearest_name};
 use crate::figure::{Drawing, FigureProblem};
 
+mod folder;
+
+pub use folder::MissingFolder;
+
 /// Reason for which results could not be written.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum OutputProblem {
@@ -25,6 +29,17 @@ pub enum OutputProblem {
         /// The reason as text.
         reason: String,
     },
+    /// Files that another run is writing.
+    #[error(
+        "\"{file}\" is locked: {} is writing results of this name into this folder",
+        process.map_or("another run".to_owned(), |id| format!("the run of process {id}"))
+    )]
+    InUse {
+        /// The locked file.
+        file: String,
+        /// Process that has it, if it is known.
+        process: Option<u32>,
+    },
     /// A figure cannot be made.
     #[error(transparent)]
     Figure(#[from] FigureProblem),
@@ -34,6 +49,11 @@ impl Explain for OutputProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::Folder { .. } => Some("name another folder with --out".to_owned()),
+            Self::InUse { .. } => Some(
+                "wait for its end, or use another folder with --out; a run that was killed locks \
+                 nothing"
+                    .to_owned(),
+            ),
             Self::Figure(problem) => problem.help(),
             Self::File { .. } => None,
         }

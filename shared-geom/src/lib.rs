@@ -23,6 +23,7 @@ pub mod mesh;
 pub mod mesh_file;
 pub mod quadrature;
 pub mod rotation;
+pub mod run_lock;
 pub mod section;
 pub mod spline;
 pub mod units;

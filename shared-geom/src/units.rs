@@ -22,7 +22,7 @@ mod read;
 pub use dimension::Dimension;
 pub use read::parse;
 
-use read::{products, split_quantity};
+use read::{products, split_quantity, with_pounds_force};
 
 /// A unit: its dimension and the number of SI units in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,6 +73,7 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("kN", Dimension::FORCE, 1e3),
     ("MN", Dimension::FORCE, 1e6),
     ("mN", Dimension::FORCE, 1e-3),
+    ("daN", Dimension::FORCE, 10.0),
     ("lbf", Dimension::FORCE, LBF),
     ("kip", Dimension::FORCE, 1e3 * LBF),
     ("W", Dimension::POWER, 1.0),
@@ -195,7 +196,21 @@ impl Explain for UnitProblem {
                 expected: Dimension::CURVATURE,
                 ..
             } => Some("units of it: deg/m, rad/m; the inverse of a radius in m is in rad/m".into()),
-            Self::Dimension { expected, .. } => {
+            Self::Dimension {
+                measures: Dimension::FREQUENCY,
+                expected: Dimension::ROTATION_SPEED,
+                ..
+            } => Some(
+                "units of it: rpm, rad/s, deg/s; a frequency is not an angle per time: give radians \
+                 per second as rad/s, and revolutions per second as rev/s"
+                    .into(),
+            ),
+            Self::Dimension {
+                found, expected, ..
+            } => {
+                if let Some(force) = in_pounds_force(found, *expected) {
+                    return Some(format!("did you mean \"{force}\"? \"lb\" is a mass"));
+                }
                 if let Some(units) = compound(*expected) {
                     return Some(format!("units of it: {}", units.join(", ")));
                 }
@@ -238,8 +253,16 @@ fn help_with_unknown(found: &str, expected: Option<Dimension>) -> String {
     }
 }
 
+/// The text of a unit with pounds-force in place of pounds, if it then measures `expected`.
+fn in_pounds_force(text: &str, expected: Dimension) -> Option<String> {
+    let changed = with_pounds_force(text)?;
+    let unit = parse(&changed).ok()?;
+    (unit.dimension == expected).then_some(changed)
+}
+
 /// As [`parse`], for a unit that must measure `expected`. Stiffnesses and dampers of rotation are moments
-/// per radian: `N*m/rad` is `N*m`, and `N*m/deg` 180/pi of it.
+/// per radian: `N*m/rad` is `N*m`, and `N*m/deg` 180/pi of it. The pound in a moment, as in `ft-lb`,
+/// is the pound-force; everywhere else it is a mass.
 ///
 /// # Errors
 /// As [`parse`], and [`UnitProblem::Dimension`].
@@ -256,6 +279,10 @@ pub fn parse_as(text: &str, expected: Dimension) -> Result<Unit, UnitProblem> {
         && unit.dimension.times(Dimension::ANGLE, 1) == expected;
     if unit.dimension == expected || per_angle {
         Ok(unit)
+    } else if let Some(force) =
+        in_pounds_force(text, expected).filter(|_| expected == Dimension::MOMENT)
+    {
+        parse(&force)
     } else {
         Err(UnitProblem::Dimension {
             found: text.into(),
@@ -427,9 +454,9 @@ mod tests {
 
     #[test]
     fn wrong_units_are_explained() {
-        let unknown = parse("inch").unwrap_err();
-        assert_eq!(unknown.to_string(), "unknown unit \"inch\"");
-        assert_eq!(unknown.help().unwrap(), "did you mean \"in\"?");
+        let unknown = parse("rpn").unwrap_err();
+        assert_eq!(unknown.to_string(), "unknown unit \"rpn\"");
+        assert_eq!(unknown.help().unwrap(), "did you mean \"rpm\"?");
         let other = parse_as("kg", Dimension::STRESS).unwrap_err();
         assert_eq!(
             other.to_string(),

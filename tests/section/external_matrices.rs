@@ -330,7 +330,7 @@ fn the_command_writes_a_property_file() {
         "bar.warping.csv",
         "bar.warping.vtu",
         "End effects fall to 1/e",
-        "warning: no mass is given",
+        "remark: no mass is given",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }

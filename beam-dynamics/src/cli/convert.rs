@@ -162,6 +162,8 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
             let text = read_text(existing).map_err(Refusal::File)?;
             let writing = exchange::write_into(&reading.blade, &text, existing);
             let Writing { files, lost } = writing.map_err(Refusal::File)?;
+            let remark = exchange::length_remark(&reading.blade, &text);
+            reading.remarks.extend(remark);
             let files = files.into_iter().map(|(_, text)| (to.to_owned(), text));
             let title = format!("a copy of {}", existing.display());
             (files.collect(), lost, title)
@@ -269,7 +271,13 @@ fn placed(files: Vec<(PathBuf, String)>, to: &Path, format: Format) -> Vec<(Path
     let folder = to.parent().unwrap_or(Path::new(""));
     let extension = |path: &Path| path.extension().map(|ending| ending.to_ascii_lowercase());
     let of_ending = Format::of_path(to);
-    let is_alone = files.len() == 1 && of_ending == Some(format);
+    // Both layouts of BeamDyn have the same names.
+    let named = match format {
+        Format::BeamDyn4 => Format::BeamDyn,
+        other => other,
+    };
+    let is_of = |path: &Path| Format::of_path(path) == Some(named);
+    let is_alone = is_of(to) && !files.iter().skip(1).any(|(name, _)| is_of(name));
     let beside = files.into_iter().enumerate().map(|(number, (name, text))| {
         let fits = extension(&name) == extension(to) || of_ending.is_none() || is_alone;
         if number == 0 && fits {

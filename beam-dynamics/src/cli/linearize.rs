@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::arguments::Results;
 use super::linearize_options::LinearizeOptions;
-use super::result_locations::result_locations;
+use super::result_locations::{in_folder, result_locations};
 use super::terminal::Terminal;
 use super::{WRONG_INPUT, add_remarks, files, finish};
 use crate::analysis::linear::linearize;
@@ -36,7 +36,9 @@ pub(super) fn linearize_files(
     };
     let jobs: Vec<_> = paths.iter().zip(&inputs).zip(&locations).collect();
     files::worst_of(&jobs, terminal, |((path, input), location), terminal| {
-        linear_of((path, &request), input, location, terminal)
+        in_folder(location, "linearize", terminal, |terminal| {
+            linear_of((path, &request), input, location, terminal)
+        })
     })
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::arguments::Results;
 use super::terminal::Terminal;
-use super::{WRONG_INPUT, files, finish, result_locations};
+use super::{WRONG_INPUT, files, finish, in_folder, result_locations};
 use crate::analysis::performance::performance;
 use crate::case::PerformanceCase;
 use crate::input;
@@ -34,7 +34,9 @@ pub(super) fn performance_of_files(
     };
     let jobs: Vec<_> = cases.iter().zip(&locations).collect();
     files::worst_of(&jobs, terminal, |(case, location), terminal| {
-        performance_of(case, location, terminal)
+        in_folder(location, "performance", terminal, |terminal| {
+            performance_of(case, location, terminal)
+        })
     })
 }
 

@@ -3,9 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use shared_geom::error::Explain;
-use shared_geom::files::true_path;
+use shared_geom::files::{make_folder, true_path};
+use shared_geom::run_lock::RunLock;
 
+use super::WRONG_INPUT;
 use super::arguments::Results;
+use super::terminal::Terminal;
 use crate::input;
 use crate::output::ResultLocation;
 
@@ -70,6 +73,33 @@ fn location(file: &Path, results: &Results) -> ResultLocation {
     let beside = || file.parent().unwrap_or(Path::new("")).join("results");
     let folder = results.out.clone().unwrap_or_else(beside);
     ResultLocation::new(folder, input::name_of(file)).with_figures(!results.no_figures)
+}
+
+/// Does the work of a command that writes results to `location`, in its folder, which is made, and as
+/// the only run of the command there; returns the exit code. A folder that is then still empty
+/// does not stay.
+pub(super) fn in_folder(
+    location: &ResultLocation,
+    command: &str,
+    terminal: &mut Terminal<'_>,
+    work: impl FnOnce(&mut Terminal<'_>) -> u8,
+) -> u8 {
+    let ResultLocation { folder, name, .. } = location;
+    let is_new = !folder.exists();
+    let lock = make_folder(folder)
+        .and_then(|()| RunLock::new(&folder.join(format!("{name}.{command}.lock"))));
+    let code = match lock {
+        Ok(_lock) => work(terminal),
+        Err(problem) => {
+            terminal.report(&problem);
+            WRONG_INPUT
+        }
+    };
+    if is_new {
+        // Fails if it has files.
+        let _ = std::fs::remove_dir(folder);
+    }
+    code
 }
 
 #[cfg(test)]

@@ -7,7 +7,8 @@ use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::terminal::Terminal;
 use super::{
-    BladeAlone, MissingTable, WRONG_INPUT, add_remarks, files, finish, read_with_locations,
+    BladeAlone, MissingTable, WRONG_INPUT, add_remarks, files, finish, in_folder,
+    read_with_locations,
 };
 use crate::analysis::buckling::buckling;
 use crate::analysis::statics::statics;
@@ -101,15 +102,17 @@ pub(super) fn each_again<Q: Sync>(
     if !complete {
         return WRONG_INPUT;
     }
-    let requested = paths.iter().zip(&inputs).zip(&locations);
-    let jobs: Vec<_> = requested
+    let given = paths.iter().zip(&inputs).zip(&locations);
+    let jobs: Vec<_> = given
         .filter_map(|((path, input), location)| Some((path, input, settings(input)?, location)))
         .collect();
     files::worst_of(
         &jobs,
         terminal,
         |(path, input, settings, location), terminal| {
-            answer(path, input, settings, location, terminal)
+            in_folder(location, requested.table, terminal, |terminal| {
+                answer(path, input, settings, location, terminal)
+            })
         },
     )
 }

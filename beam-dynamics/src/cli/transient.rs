@@ -10,7 +10,9 @@ use super::arguments::Results;
 use super::blade_options::BladeOptions;
 use super::progress::Progress;
 use super::terminal::Terminal;
-use super::{BladeAlone, DONE, MissingTable, NOT_REACHED, WRONG_INPUT, files, read_with_locations};
+use super::{
+    BladeAlone, DONE, MissingTable, NOT_REACHED, WRONG_INPUT, files, in_folder, read_with_locations,
+};
 use crate::analysis::transient::{
     TransientFailure, TransientOutcome, check_drives, difference, transient,
 };
@@ -96,7 +98,9 @@ pub(super) fn transient_of_files(
                 Some(Some(snapshot)) => Some(snapshot),
                 None => None,
             };
-            run((input, settings), resumed.as_ref(), location, terminal)
+            in_folder(location, TABLE, terminal, |terminal| {
+                run((input, settings), resumed.as_ref(), location, terminal)
+            })
         },
     )
 }
@@ -311,7 +315,7 @@ fn scheme_words(scheme: Scheme) -> String {
 fn outcome_text(input: &Input, settings: &TransientSettings, outcome: &TransientOutcome) -> String {
     let mut text = String::new();
     for remark in input.remarks.iter().chain(&outcome.remarks) {
-        text.push_str(&format!("  note: {remark}\n"));
+        text.push_str(&format!("  remark: {remark}\n"));
     }
     if !outcome.changes.is_empty() {
         text.push_str("\nChanged at the start to fulfill the joints\n");

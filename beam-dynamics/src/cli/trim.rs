@@ -6,7 +6,7 @@ use super::arguments::Results;
 use super::periodic::write_period;
 use super::progress::Progress;
 use super::terminal::Terminal;
-use super::{DONE, MissingTable, NOT_REACHED, finish, statics};
+use super::{DONE, MissingTable, NOT_REACHED, finish, in_folder, statics};
 use crate::analysis::trim::{TrimEnd, TrimProgress, Trimmed, trim_watched};
 use crate::case::TrimSettings;
 use crate::input::{self, Input};
@@ -108,15 +108,17 @@ fn write_end(end: TrimEnd, location: &ResultLocation, terminal: &mut Terminal<'_
         found,
     } = end;
     match (found, &input.periodic, state) {
-        (Some(Trimmed::Periodic(result)), Some(settings), Some(state)) => write_period(
-            (&input, settings),
-            (result, Some(&state)),
-            location,
-            terminal,
-        ),
+        (Some(Trimmed::Periodic(result)), Some(settings), Some(state)) => {
+            in_folder(location, "periodic", terminal, |terminal| {
+                let found = (result, Some(&state));
+                write_period((&input, settings), found, location, terminal)
+            })
+        }
         (Some(Trimmed::Static(result)), ..) => {
-            terminal.show(&format!("\n{}", output::static_text(&result)));
-            finish(None, output::write_static(&result, location), terminal)
+            in_folder(location, "static", terminal, |terminal| {
+                terminal.show(&format!("\n{}", output::static_text(&result)));
+                finish(None, output::write_static(&result, location), terminal)
+            })
         }
         _ => DONE,
     }

@@ -26,7 +26,7 @@ keys! {
     /// Interval of the rows: a number of steps, or a time with its unit. The last state is always
     /// written.
     EVERY: Every = "every", [Count(usize::MAX), Positive(Dimension::TIME)]
-        as "a time above zero, or a number of steps", or "1" = Every::Steps(1), "10";
+        as "a time above zero with its unit, or a number of steps", or "1" = Every::Steps(1), "10";
     /// Whether to write the CSV table.
     CSV: bool = "csv", [Boolean], or "true" = true, "false";
     /// Whether to write the NetCDF table.
@@ -37,7 +37,7 @@ keys! {
     AIR: Option<usize> = "air_revolutions", [Count(100)], optional, "1";
     /// Interval of the saved states: a number of steps, or a time with its unit.
     RESTART_EVERY: Option<Every> = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)]
-        as "a time above zero, or a number of steps",
+        as "a time above zero with its unit, or a number of steps",
         or "only the last state", "\"0.5 s\"";
     /// Columns of the tables.
     COLUMN: ByHand = "column", [Tables(&column::CARD)],
@@ -122,7 +122,7 @@ impl Declared for Every {}
 impl Value for Every {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         if !table.is_text(key) {
-            return table.count(key.name).map(Self::Steps);
+            return table.count_or(key, &key.expected()).map(Self::Steps);
         }
         let time = table.quantity(key.name, Dimension::TIME)?;
         if time > 0.0 {

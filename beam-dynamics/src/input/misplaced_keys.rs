@@ -32,6 +32,17 @@ pub(super) const OF_FILE: [(&str, &str); 28] = [
     ("mass", "\"mass\" in [[body]], or [[blade.mass]]"),
 ];
 
+/// Keys of `[[node]]` by names of other cards and programs.
+pub(super) const OF_NODE: [(&str, &str); 7] = [
+    ("at", "\"position\""),
+    ("point", "\"position\""),
+    ("coordinates", "\"position\""),
+    ("location", "\"position\""),
+    ("x", "position = [x, y, z]"),
+    ("rotation", "\"orientation\", a rotation vector"),
+    ("axes", "\"orientation\", a rotation vector"),
+];
+
 /// Keys of other cards that are written in `[hub]` by mistake.
 pub(super) const OF_HUB: [(&str, &str); 4] = [
     ("speed", SPEEDS),

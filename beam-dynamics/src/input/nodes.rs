@@ -9,6 +9,7 @@ use shared_geom::units::Dimension;
 
 use super::builder::ModelBuilder;
 use super::frames::{Frame, IN};
+use super::misplaced_keys::OF_NODE;
 use super::transient::{
     ANGULAR_VELOCITY, INITIAL_WEIGHT, VELOCITY, VELOCITY_WEIGHT, initial_motion,
 };
@@ -43,7 +44,7 @@ pub(super) fn read(root: &Table<'_>, builder: &mut ModelBuilder) {
                 ..motion
             }
         });
-        table.finish();
+        table.finish_beside(&OF_NODE);
         match (node.zip(initial), label) {
             (Some((node, initial)), _) => {
                 if let Some(index) = builder.add_node(node, &table, None) {

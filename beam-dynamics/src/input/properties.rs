@@ -205,6 +205,9 @@ fn from_file(name: &str, table: &Table<'_>) -> Option<Properties> {
     }
     let written = table.get(&FILE)?;
     let path = table.path(&FILE, &written);
+    if !path.exists() && table.is_in_missing_folder(&FILE, &written, &path) {
+        return None;
+    }
     if !path.is_file() {
         let problem = InputProblem::NoPropertyFile {
             name: name.to_owned(),

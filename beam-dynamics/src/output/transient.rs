@@ -8,7 +8,6 @@ mod csv_rows;
 mod effort;
 mod files;
 mod grids;
-mod lock;
 mod netcdf_rows;
 mod netcdf_table;
 mod plot;

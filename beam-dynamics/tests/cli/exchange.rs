@@ -202,6 +202,37 @@ fn what_cannot_be_carried_is_reported_with_its_size() {
     assert!(run.out.contains("Everything is converted"), "{}", run.out);
 }
 
+/// The name that OpenFAST's examples have; the blade file beside it ends in `.dat` too.
+#[test]
+fn names_of_beamdyn_files_are_known() {
+    let folder = folder();
+    for (format, to) in [
+        (&[][..], "y_BeamDyn.dat"),
+        (&["--to", "beamdyn4"], "z_BeamDyn.dat"),
+    ] {
+        let run = folder.run(&[&["convert", "strip.csv", to], format].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        let blade = to.replace(".dat", "_blade.dat");
+        let written = format!("\nWritten\n  {to}\n  {blade}\n");
+        assert!(run.out.ends_with(&written), "{}", run.out);
+        let run = folder.run(&["compare", "strip.csv", to]);
+        assert_eq!(run.code, 0, "{}", run.out);
+    }
+}
+
+#[test]
+fn a_turbine_of_another_size_is_remarked() {
+    let folder = folder();
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../tests/reference/exchange/windio2_iea15.yaml"
+    );
+    let run = folder.run(&["convert", "strip.csv", "a.yaml", "--into", file]);
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let remark = "\nRemarks\n  the blade is 2.0000 m long, and the blade of the file 117.";
+    assert!(run.out.contains(remark), "{}", run.out);
+}
+
 #[test]
 fn convert_refuses_to_overwrite_what_it_reads() {
     let folder = folder();

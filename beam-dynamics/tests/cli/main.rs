@@ -314,10 +314,10 @@ error: a.dynamics.toml:12: \"length\": \"kg\" measures a mass, expected a length
         message,
     );
     let message = "\
-error: a.dynamics.toml:12: \"length\": unknown unit \"inch\"
-  help: did you mean \"in\"?";
+error: a.dynamics.toml:12: \"length\": unknown unit \"mmm\"
+  help: did you mean \"mm\"?";
     folder.refuses(
-        &BLADE.replace("length = 0.15", "length = \"6 inch\""),
+        &BLADE.replace("length = 0.15", "length = \"6 mmm\""),
         message,
     );
 }
@@ -448,11 +448,7 @@ fn a_folder_that_cannot_be_made_is_reported() {
     folder.write("a.dynamics.toml", BLADE);
     folder.write("results", "");
     let run = folder.run(&["modes", "a.dynamics.toml"]);
-    assert_eq!(run.code, 1);
-    assert!(
-        run.out.contains("flap 1"),
-        "the result is printed all the same"
-    );
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
     assert_eq!(
         run.err,
         "error: folder \"results\" cannot be made: a file of this name exists\n  \

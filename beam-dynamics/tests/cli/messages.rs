@@ -317,6 +317,21 @@ const SLIPS: &[(&str, &str, &str)] = &[
         "did you mean step = { first = ..., tolerance",
     ),
     (
+        "[[joint]]\n",
+        "[[node]]\nname = \"a\"\nat = [1, 0, 0]\n[[joint]]\n",
+        "unknown key \"at\" in [[node]]",
+    ),
+    (
+        "[[joint]]\n",
+        "[[node]]\nname = \"a\"\nat = [1, 0, 0]\n[[joint]]\n",
+        "did you mean \"position\"?",
+    ),
+    (
+        "every = 10",
+        "restart_every = 0.005",
+        "\"restart_every\" is 0.005, expected a time above zero with its unit, or a number of steps",
+    ),
+    (
         "[[output.column]]",
         "[[column]]",
         "did you mean [[output.column]]?",

@@ -213,3 +213,33 @@ fn one_file_in_two_ways_is_refused() {
     assert!(run.err.starts_with(reported), "{}", run.err);
     assert!(!folder.path("results").exists());
 }
+
+/// Two runs that write the same files at the same time would mix them. A lock of a killed run is
+/// none.
+#[test]
+fn two_runs_of_a_command_in_one_folder_are_refused() {
+    let folder = Folder::new();
+    folder.write(
+        FILES[0],
+        &format!("{ARCH}[static]\nto = 0.1\n[buckling]\ncount = 1\n"),
+    );
+    std::fs::create_dir(folder.path("results")).unwrap();
+    for (command, other) in [("static", "buckling"), ("buckling", "static")] {
+        let name = format!("results/a.{command}.lock");
+        let lock = folder.path(&name);
+        let held = shared_geom::run_lock::RunLock::new(&lock).unwrap();
+        let run = folder.run(&[command, FILES[0]]);
+        let expected = format!(
+            "error: \"{name}\" is locked: the run of process {} is writing results of this name into \
+             this folder\n  help: wait for its end, or use another folder with --out; a run that was \
+             killed locks nothing\n",
+            std::process::id()
+        );
+        assert_eq!((run.code, run.out, run.err), (2, String::new(), expected));
+        assert_eq!(folder.run(&[other, FILES[0]]).code, 0);
+        drop(held);
+        folder.write(&name, "4194304999\n");
+        let run = folder.run(&[command, FILES[0]]);
+        assert_eq!((run.code, lock.exists()), (0, false), "{}", run.err);
+    }
+}

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::AnalyzeArguments;
-use super::{DONE, Stop, Terminal, WRONG_INPUT, list};
+use super::{DONE, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::input;
 use crate::output::Figures;
 
@@ -123,9 +123,8 @@ pub(super) fn analyze_files(
     }
 }
 
-/// The heading of removed files.
-const REMOVED: &str =
-    "Removed: results of an earlier run (--sensitivity and --mesh-error make them)";
+/// The options of results that a run without them removes.
+const ON_REQUEST: &str = "--sensitivity and --mesh-error make them";
 
 /// Shows the outcome of a run with a single section.
 fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
@@ -135,7 +134,7 @@ fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), 
         terminal.report_text(&messages, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
-    list(REMOVED, &outcome.removed, terminal)?;
+    list_removed((&outcome.removed, ON_REQUEST), terminal)?;
     match outcome.status.code() {
         DONE => Ok(()),
         code => Err(Stop::Reported(code)),

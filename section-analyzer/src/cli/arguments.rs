@@ -173,7 +173,7 @@ fn first_line(text: &'static str) -> &'static str {
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub command: Command,
-    /// Print no report; problems and warnings are still reported on the error stream
+    /// Print no report; problems and remarks are still reported on the error stream
     #[arg(long, short, global = true)]
     quiet: bool,
 }
@@ -359,12 +359,15 @@ pub(super) enum Shape {
 pub(super) struct BladeArguments {
     /// Blade file
     pub file: PathBuf,
-    /// Mesh file to write
+    /// Mesh file to write; it must not exist
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Section file to start; it must not exist
     #[arg(long, value_name = "FILE")]
     pub section: Option<PathBuf>,
+    /// Replace files that exist
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Arguments of every shape.
@@ -373,9 +376,12 @@ pub(super) struct Common {
     /// Kind of the cells; the number is their number of nodes
     #[arg(long, value_enum, default_value_t = CellName::Quad9)]
     pub cell: CellName,
-    /// Mesh file to write
+    /// Mesh file to write; it must not exist
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+    /// Replace a file that exists
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Names of the kinds of cells.

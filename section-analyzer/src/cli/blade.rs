@@ -104,7 +104,8 @@ fn solve_sections(
     let beside = || file.parent().unwrap_or(Path::new("")).join("results");
     let folder = arguments.out.clone().unwrap_or_else(beside);
     let files = SpanFiles::new(&folder, &name);
-    make_folder(&files.sections()).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let lock = make_folder(&files.sections()).and_then(|()| files.lock());
+    let _lock = lock.map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let plan = Plan::new(layup, &files, arguments);
     let solve = |number: usize, job: &Job| plan.solve(number, job);
     let ended = solve_all(&plan.jobs, arguments.threads, &solve, terminal)?;

@@ -36,7 +36,7 @@ pub(super) fn convert_model(
         writeln!(terminal.out, "{}: {content}", file.display())?;
     }
     for note in &model.notes {
-        writeln!(terminal.out, "  note: {note}")?;
+        writeln!(terminal.out, "  remark: {note}")?;
     }
     Ok(())
 }

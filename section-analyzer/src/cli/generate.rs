@@ -6,7 +6,7 @@ use shared_geom::files::write_text;
 use shared_geom::gmsh;
 use shared_geom::mesh::{Mesh, PhysicalGroup};
 
-use super::arguments::{BladeArguments, MeshLayupArguments, Shape};
+use super::arguments::{BladeArguments, Common, MeshLayupArguments, Shape};
 use super::{Stop, Terminal, WRONG_INPUT};
 use crate::input::{blade, layup};
 use crate::mesh::generate::{Ellipse, GenerateProblem, Rectangle, Tube};
@@ -14,10 +14,10 @@ use crate::output::{blade_section, layup_section};
 
 /// Makes the mesh of `shape` and writes it.
 pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
-    let (mesh, file) = match made(shape) {
+    let (mesh, common) = match made(shape) {
         Made::Blade(blade) => return write_blade(blade, terminal),
         Made::Layup(layup) => return write_layup(layup, terminal),
-        Made::Shape(mesh, file) => (mesh, file),
+        Made::Shape(mesh, common) => (mesh, common),
     };
     let mesh = match mesh {
         Ok(mesh) => mesh,
@@ -28,7 +28,8 @@ pub(super) fn write_mesh(shape: &Shape, terminal: &mut Terminal<'_>) -> Result<(
             return Err(Stop::Reported(WRONG_INPUT));
         }
     };
-    write_file(&mesh, file, terminal)
+    require_new([Some(&*common.out), None], common.force, terminal)?;
+    write_file(&mesh, &common.out, terminal)
 }
 
 /// Writes a mesh and lists its contents.
@@ -64,7 +65,7 @@ fn write_file(mesh: &Mesh, file: &Path, terminal: &mut Terminal<'_>) -> Result<(
 fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     let (out, section) = (&arguments.out, arguments.section.as_deref());
     let blade = blade::read(&arguments.file).map_err(|problems| terminal.report_all(&problems))?;
-    require_new(section, terminal)?;
+    require_new([Some(out), section], arguments.force, terminal)?;
     // both files first: nobody may read the report about them
     if let Some(section) = section {
         let text = blade_section(&blade, &name_from(section, out));
@@ -82,17 +83,27 @@ fn write_blade(arguments: &BladeArguments, terminal: &mut Terminal<'_>) -> Resul
     Ok(())
 }
 
-/// Refuses a section file that exists.
-fn require_new(section: Option<&Path>, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
-    let Some(section) = section.filter(|section| section.exists()) else {
+/// Refuses files that exist, without `--force`.
+fn require_new(
+    files: [Option<&Path>; 2],
+    force: bool,
+    terminal: &mut Terminal<'_>,
+) -> Result<(), Stop> {
+    let written = files.into_iter().flatten();
+    let existing = written.filter(|file| !force && file.is_file());
+    let problems: Vec<_> = existing
+        .map(|file| {
+            format!(
+                "error: \"{}\" exists already, expected the name of a new file\n  \
+                 help: --force replaces it",
+                file.display()
+            )
+        })
+        .collect();
+    if problems.is_empty() {
         return Ok(());
-    };
-    let text = format!(
-        "error: \"{}\" exists already, expected the name of a new section file\n  \
-         help: without --section only the mesh is made again",
-        section.display()
-    );
-    Err(terminal.report_text(&text, WRONG_INPUT))
+    }
+    Err(terminal.report_text(&problems.join("\n"), WRONG_INPUT))
 }
 
 /// Meshes a section of a layup, and writes its section file.
@@ -103,7 +114,7 @@ fn write_layup(arguments: &MeshLayupArguments, terminal: &mut Terminal<'_>) -> R
         .map_err(|problems| terminal.report_all(&problems))?;
     let meshed = layup.mesh(arguments.eta);
     let meshed = meshed.map_err(|problems| terminal.report_all(&problems))?;
-    require_new(section, terminal)?;
+    require_new([Some(out), section], arguments.force, terminal)?;
     // both files first: nobody may read the report about them
     if let Some(section) = section {
         let text = layup_section(&layup, &meshed, &name_from(section, out));
@@ -133,7 +144,7 @@ fn name_from(section: &Path, mesh: &Path) -> String {
 
 /// A file to write.
 enum Made<'a> {
-    Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Path),
+    Shape(Result<Mesh, Vec<GenerateProblem>>, &'a Common),
     Blade(&'a BladeArguments),
     Layup(&'a MeshLayupArguments),
 }
@@ -157,7 +168,7 @@ fn made(shape: &Shape) -> Made<'_> {
                 kind: common.cell.kind(),
                 name: name.clone(),
             };
-            Made::Shape(rectangle.generate(), &common.out)
+            Made::Shape(rectangle.generate(), common)
         }
         Shape::Blade(arguments) => Made::Blade(arguments),
         Shape::Layup(arguments) => Made::Layup(arguments),
@@ -177,7 +188,7 @@ fn made(shape: &Shape) -> Made<'_> {
                 kind: common.cell.kind(),
                 curved: !straight,
             };
-            Made::Shape(tube.generate(), &common.out)
+            Made::Shape(tube.generate(), common)
         }
         Shape::Ellipse {
             semi_y,
@@ -193,7 +204,7 @@ fn made(shape: &Shape) -> Made<'_> {
                 kind: common.cell.kind(),
                 curved: !straight,
             };
-            Made::Shape(ellipse.generate(), &common.out)
+            Made::Shape(ellipse.generate(), common)
         }
     }
 }

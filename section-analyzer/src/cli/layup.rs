@@ -56,11 +56,11 @@ pub(super) fn materials(is_repaired: bool) -> Materials {
 /// Lists the choices of the reader.
 pub(super) fn write_remarks(layup: &Layup, terminal: &mut Terminal<'_>) -> io::Result<()> {
     for remark in &layup.remarks {
-        writeln!(terminal.out, "  note: {remark}")?;
+        writeln!(terminal.out, "  remark: {remark}")?;
     }
     for (layer, line) in layup.absent_layers() {
         let text = format!("line {line}: layer \"{layer}\" is absent at all stations");
-        writeln!(terminal.out, "  note: {text}")?;
+        writeln!(terminal.out, "  remark: {text}")?;
     }
     Ok(())
 }

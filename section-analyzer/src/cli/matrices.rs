@@ -100,13 +100,13 @@ fn report(file: &Path, input: &ExternalInput, solved: &Solved, warnings: &[Strin
     let text = property_report(&file.display().to_string(), &properties);
     let warnings = warnings
         .iter()
-        .map(|warning| format!("  warning: {warning}\n"));
+        .map(|warning| format!("  remark: {warning}\n"));
     let warnings: String = warnings.collect();
     let ends = solved.end_effects.as_ref().map(end_effects);
     let heading = if warnings.is_empty() {
         ""
     } else {
-        "\nWarnings\n"
+        "\nRemarks\n"
     };
     let ends = ends.map_or_else(String::new, |ends| format!("\n{ends}"));
     format!(

@@ -5,12 +5,13 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector6;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation, quoted};
-use shared_geom::files::{make_folder, write_whole};
+use shared_geom::files::{OutputProblem, make_folder, write_whole};
+use shared_geom::run_lock::RunLock;
 
 use super::analyze::{Job, Outcome, Status, solve_all};
 use super::arguments::StrengthArguments;
 use super::restored::Restored;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::input;
 use crate::input::span_loads::{
     ListedStation, LoadInstant, LoadPositions, SpanLoads, read_loads, read_stations,
@@ -30,6 +31,8 @@ use histories::Histories;
 /// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
 const BLADE: &str = ".blade.json";
+/// The results that a run without them removes.
+const ON_REQUEST: &str = "loads and materials with limits, and histories, make them";
 /// The folder of the sections, beside the table.
 const SECTIONS: &str = "sections";
 
@@ -126,6 +129,10 @@ pub(super) fn envelope(
     let histories = Histories::new(&loads, arguments.durations.as_deref());
     let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
     let jobs = jobs_of(&stations, folder);
+    let target = Target::new(arguments);
+    let _lock = target
+        .open()
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let found: Vec<OnceLock<Rows>> = jobs.iter().map(|_| OnceLock::new()).collect();
     let work = |number: usize, job: &Job| match rows(&stations[number], job, (&loads, &histories)) {
         Ok((outcome, rows)) => {
@@ -153,7 +160,7 @@ pub(super) fn envelope(
         damages: &damages,
         duration: histories.duration(),
     };
-    tables.write(arguments, terminal)?;
+    tables.write(&target, terminal)?;
     if reserves.is_empty() && damages.is_empty() && is_solved {
         return Err(terminal.report_all(&wrong(span, &nothing(&stations, &loads))));
     }
@@ -254,6 +261,35 @@ fn rows(
     Ok((outcome, Rows { reserves, damages }))
 }
 
+/// The folder of the tables, and the beginning of their names.
+struct Target {
+    folder: PathBuf,
+    name: String,
+}
+
+impl Target {
+    fn new(arguments: &StrengthArguments) -> Self {
+        let span = &table_of(&arguments.span);
+        let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
+        let whole = span.file_name().unwrap_or_default().to_string_lossy();
+        Self {
+            folder: arguments.out.clone().unwrap_or_else(beside),
+            name: whole.strip_suffix(ENDING).unwrap_or(&whole).to_owned(),
+        }
+    }
+
+    /// The table with this ending.
+    fn path(&self, ending: &str) -> PathBuf {
+        self.folder.join(format!("{}.{ending}", self.name))
+    }
+
+    /// Makes the folder, and keeps other runs from the tables.
+    fn open(&self) -> Result<RunLock, OutputProblem> {
+        make_folder(&self.folder)?;
+        RunLock::new(&self.path("strength.lock"))
+    }
+}
+
 /// The tables of a run.
 struct Tables<'a> {
     reserves: &'a [ReserveRow],
@@ -264,19 +300,7 @@ struct Tables<'a> {
 }
 
 impl Tables<'_> {
-    fn write(
-        &self,
-        arguments: &StrengthArguments,
-        terminal: &mut Terminal<'_>,
-    ) -> Result<(), Stop> {
-        let span = &table_of(&arguments.span);
-        let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
-        let folder = arguments.out.clone().unwrap_or_else(beside);
-        if !folder.as_os_str().is_empty() {
-            make_folder(&folder).map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
-        }
-        let whole = span.file_name().unwrap_or_default().to_string_lossy();
-        let name = whole.strip_suffix(ENDING).unwrap_or(&whole);
+    fn write(&self, target: &Target, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
         if !self.reserves.is_empty() {
             write!(terminal.out, "\n{}", strength_text(self.reserves))?;
         }
@@ -287,7 +311,7 @@ impl Tables<'_> {
                 damage_text(self.damages, self.duration)
             )?;
         }
-        let mut written = Vec::new();
+        let (mut written, mut removed) = (Vec::new(), Vec::new());
         for (ending, rows, text) in [
             (
                 "strength.csv",
@@ -305,16 +329,17 @@ impl Tables<'_> {
                 damage_csv(self.damages, self.duration),
             ),
         ] {
-            let file = folder.join(format!("{name}.{ending}"));
+            let file = target.path(ending);
             if rows > 0 {
                 write_whole(&file, &text)
                     .map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
                 written.push(file);
             } else {
-                // of an earlier run; a missing file is ignored
-                let _ = std::fs::remove_file(file);
+                // a missing file is ignored
+                removed.extend(std::fs::remove_file(&file).ok().map(|()| file));
             }
         }
-        list("Written", &written, terminal)
+        list("Written", &written, terminal)?;
+        list_removed((&removed, ON_REQUEST), terminal)
     }
 }

@@ -54,6 +54,9 @@ pub(super) fn recover_file(
     let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
     let files = OutputFiles::new(&folder, &input::name_of(file))
         .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let _lock = files
+        .lock()
+        .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
     let solved = solve(&input, false).map_err(|failure| {
         for load in &input.loads {
             files.remove_stresses(&load.name);

@@ -1,7 +1,7 @@
 //! Size of the section, and its distance from the origin of its mesh.
 
 use super::problem::InputProblem;
-use crate::mesh::SectionMesh;
+use crate::mesh::{SectionCell, SectionMesh};
 
 /// Smallest and largest size of a section \[m\]: far beyond all structures; the sixth
 /// power of a length is still finite.
@@ -44,6 +44,31 @@ pub(super) fn check(mesh: &SectionMesh) -> Result<(), InputProblem> {
 pub(super) fn size(mesh: &SectionMesh) -> f64 {
     let (low, high) = bounds(mesh);
     (high[0] - low[0]).max(high[1] - low[1])
+}
+
+/// The least height of a cell of a section, infinite without cells: its area over its longest side, and
+/// twice this for a triangle \[m\].
+pub(super) fn thinnest(mesh: &SectionMesh) -> f64 {
+    let height = |cell: &SectionCell| {
+        let corners: Vec<_> = cell
+            .corners()
+            .iter()
+            .map(|&at| mesh.nodes[at as usize])
+            .collect();
+        let next = corners.iter().cycle().skip(1);
+        let sides = corners.iter().zip(next);
+        let (area, longest) = sides.fold((0.0, 0.0_f64), |(area, longest), (a, b)| {
+            let side = (b[0] - a[0]).hypot(b[1] - a[1]);
+            (area + 0.5 * (a[0] * b[1] - a[1] * b[0]), longest.max(side))
+        });
+        let height = area / longest;
+        if corners.len() == 3 {
+            2.0 * height
+        } else {
+            height
+        }
+    };
+    mesh.cells.iter().map(height).fold(f64::INFINITY, f64::min)
 }
 
 /// The smallest and the largest coordinates of the nodes of cells \[m\].

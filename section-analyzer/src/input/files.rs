@@ -39,6 +39,12 @@ impl<'a> Files<'a> {
                 self.contents.push(bytes);
                 self.contents.last().map(Vec::as_slice)
             }
+            Err(error)
+                if error.kind() == ErrorKind::NotFound
+                    && self.has_no_folder(what, path, written) =>
+            {
+                None
+            }
             Err(error) => {
                 let known = match error.kind() {
                     ErrorKind::NotFound => beside(what, path),
@@ -54,6 +60,13 @@ impl<'a> Files<'a> {
                 None
             }
         }
+    }
+
+    /// Notes a file whose folder does not exist.
+    fn has_no_folder(&self, what: &str, path: &Path, written: &Written) -> bool {
+        let names = [what, &*written.text];
+        self.document
+            .is_in_missing_folder(written.line, names, path)
     }
 
     /// As [`Files::read`], for a file that must be text.

@@ -32,6 +32,19 @@ const DENSITIES: (f64, f64) = (5.0, 23_000.0);
 /// Size of a section above which its unit is suspect: towers of wind turbines have a
 /// diameter of 10 m, blades a chord of up to 8 m [m].
 const LARGE: f64 = 20.0;
+/// Size above which a section has walls: solid parts are not larger than chords of blades [m].
+const WALLED: f64 = 8.0;
+/// Thickness of the thinnest cell of such a section above which its unit is suspect: walls of towers
+/// of steel have up to 0.15, walls of concrete 0.3 and two or more cells [m].
+const THICK: f64 = 0.2;
+/// Sizes of a section below which its unit is suspect, if its coordinates are not in meters or
+/// micrometers: alone, or with cells thinner than `THIN`, as of a ply of 0.1 mm in meters read as
+/// millimeters [m].
+const SMALL: (f64, f64) = (1e-3, 1e-2);
+/// Films of 5 are made [m].
+const THIN: f64 = 2e-6;
+/// Factors of units in which sections are drawn by hand: mm, cm, in [m].
+const DRAWN: (f64, f64) = (0.9e-3, 0.03);
 
 /// Units in which a number may have been meant, and their factors [Pa, kg/m^3, m].
 const MODULI: [(&str, f64); 3] = [("GPa", 1e9), ("MPa", 1e6), ("psi", 6_894.757_293_168)];
@@ -63,10 +76,12 @@ pub enum UnlikelyInput {
         /// The likely mistake, as text.
         likely: Option<String>,
     },
-    /// A section larger than any section of a blade or a tower.
-    Large {
+    /// A section larger or smaller than sections are, alone or for the thickness of its cells.
+    Size {
         /// Its largest extent along an axis \[m\].
         size: f64,
+        /// Thickness of its thinnest cell, if that makes it unlikely \[m\].
+        cell: Option<f64>,
         /// Name of the unit of its mesh.
         unit: String,
     },
@@ -102,12 +117,15 @@ impl fmt::Display for UnlikelyInput {
                 )?;
                 likely
             }
-            Self::Large { size, unit } => {
+            Self::Size { size, cell, unit } => {
+                write!(f, "the section is {} large", length(*size))?;
+                if let Some(cell) = cell {
+                    write!(f, ", and its thinnest cell is {} thick", length(*cell))?;
+                }
                 return write!(
                     f,
-                    "the section is {} m large: check that the coordinates of the mesh \
-                     are in {unit}, as \"length\" of the units states",
-                    tick_label(*size, 0.0)
+                    ": check that the coordinates of the mesh are in {unit}, as \"length\" of the \
+                     units states"
                 );
             }
         };
@@ -123,10 +141,26 @@ pub(super) fn of_material(written: &WrittenMaterial) -> Option<UnlikelyInput> {
     written.material.as_ref().and_then(unlikely)
 }
 
-/// Remark on the extent `size` \[m\] of a mesh in `unit`.
-pub(super) fn of_size(size: f64, unit: &str) -> Option<UnlikelyInput> {
-    (size > LARGE).then(|| UnlikelyInput::Large {
+/// A length in m or, if it is short, in mm, as text.
+fn length(value: f64) -> String {
+    match value < 0.1 {
+        true => format!("{} mm", tick_label(1e3 * value, 0.0)),
+        false => format!("{} m", tick_label(value, 0.0)),
+    }
+}
+
+/// Remark on the extent `size` of a mesh and the thickness of its thinnest `cell` \[m\], with coordinates
+/// in `unit`, of which one is `factor` \[m\].
+pub(super) fn of_size(
+    [size, cell]: [f64; 2],
+    (unit, factor): (&str, f64),
+) -> Option<UnlikelyInput> {
+    let is_drawn = (DRAWN.0..DRAWN.1).contains(&factor);
+    let is_alone = size > LARGE || is_drawn && size < SMALL.0;
+    let by_cell = (size > WALLED && cell > THICK) || (is_drawn && size < SMALL.1 && cell < THIN);
+    (is_alone || by_cell).then(|| UnlikelyInput::Size {
         size,
+        cell: (!is_alone).then_some(cell),
         unit: unit.to_owned(),
     })
 }
@@ -337,16 +371,61 @@ mod tests {
         assert!(shown.contains("MPa would be usual"), "{shown}");
     }
 
+    fn size_remark(lengths: [f64; 2], unit: (&str, f64)) -> String {
+        let found = of_size(lengths, unit);
+        found.map_or_else(String::new, |found| found.to_string())
+    }
+
+    /// Sections that exist [m]: a strip, a model, root of a blade, towers of steel (monopiles of 12 m,
+    /// 0.15 m thick) and of concrete, a solid bar, a film of 5 um on 12 mm, a beam of 2 um in meters
+    /// and in micrometers.
     #[test]
-    fn a_mesh_in_millimeters_is_remarked_and_a_chord_is_not() {
-        for size in [0.02, 5.0, 8.0, 12.0] {
-            assert_eq!(of_size(size, "m"), None);
+    fn sections_that_exist_are_not_remarked() {
+        for (size, cell, unit) in [
+            (0.02, 1e-3, ("m", 1.0)),
+            (5.0, 0.5, ("m", 1.0)),
+            (8.0, 1.0, ("m", 1.0)),
+            (12.0, 0.15, ("m", 1.0)),
+            (14.0, 0.15, ("m", 1.0)),
+            (4.5, 1e-3, ("mm", 1e-3)),
+            (12e-3, 5e-6, ("mm", 1e-3)),
+            (0.063, 1e-3, ("in", 0.0254)),
+            (2e-6, 1e-7, ("m", 1.0)),
+            (2e-6, 1e-7, ("um", 1e-6)),
+        ] {
+            assert_eq!(size_remark([size, cell], unit), "", "{size} {cell}");
         }
-        let shown = of_size(100.0, "m").unwrap().to_string();
-        assert_eq!(
-            shown,
-            "the section is 100 m large: check that the coordinates of the mesh are in m, as \
-             \"length\" of the units states"
-        );
+    }
+
+    #[test]
+    fn meshes_in_another_unit_are_remarked() {
+        let ends = |unit: &str| {
+            format!(
+                ": check that the coordinates of the mesh are in {unit}, as \"length\" of the units \
+                 states"
+            )
+        };
+        for (size, cell, unit, words) in [
+            (100.0, 0.1, ("m", 1.0), "the section is 100 m large"),
+            // 12 mm by 3 mm with plies of 0.25 mm
+            (
+                12.0,
+                0.25,
+                ("m", 1.0),
+                "the section is 12 m large, and its thinnest cell is 0.25 m thick",
+            ),
+            // 0.3 m by 0.03 m
+            (0.3e-3, 1e-5, ("mm", 1e-3), "the section is 0.3 mm large"),
+            // a chord of 4 m with plies of 1 mm
+            (
+                4e-3,
+                1e-6,
+                ("mm", 1e-3),
+                "the section is 4 mm large, and its thinnest cell is 0.001 mm thick",
+            ),
+        ] {
+            let expected = words.to_owned() + &ends(unit.0);
+            assert_eq!(size_remark([size, cell], unit), expected);
+        }
     }
 }

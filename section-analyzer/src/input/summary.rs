@@ -45,8 +45,10 @@ pub struct InputSummary {
 impl InputSummary {
     /// Measures the shapes of the cells, and warns of poor ones and of an unlikely size.
     pub(super) fn rate(&mut self, mesh: &SectionMesh) {
-        let large = plausible::of_size(extent::size(mesh), &self.length_unit);
-        self.warnings.extend(large.map(InputWarning::Unlikely));
+        let lengths = [extent::size(mesh), extent::thinnest(mesh)];
+        let unit = (&*self.length_unit, self.length_factor);
+        let unlikely = plausible::of_size(lengths, unit);
+        self.warnings.extend(unlikely.map(InputWarning::Unlikely));
         self.quality = MeshQuality::of(mesh);
         let count = self.quality.poor();
         let poor = self.quality.worst.iter().filter(|cell| cell.is_poor);

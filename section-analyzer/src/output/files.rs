@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use shared_geom::files::{OutputProblem, make_folder};
+use shared_geom::run_lock::RunLock;
 
 use super::stress_plots::STRESS_PLOTS;
 
@@ -25,6 +26,14 @@ impl OutputFiles {
             folder: folder.to_owned(),
             name: name.to_owned(),
         })
+    }
+
+    /// Keeps other runs from the files of the section.
+    ///
+    /// # Errors
+    /// [`OutputProblem::InUse`].
+    pub fn lock(&self) -> Result<RunLock, OutputProblem> {
+        RunLock::new(&self.path("section.lock"))
     }
 
     /// The folder of the results.

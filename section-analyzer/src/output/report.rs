@@ -134,12 +134,12 @@ fn warnings(summary: &InputSummary) -> String {
     let lines = summary
         .warnings
         .iter()
-        .map(|warning| format!("  warning: {warning}\n"));
+        .map(|warning| format!("  remark: {warning}\n"));
     let lines: String = lines.collect();
     if lines.is_empty() {
         String::new()
     } else {
-        format!("Warnings\n{lines}")
+        format!("Remarks\n{lines}")
     }
 }
 

@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector2;
 use shared_geom::blade::{Blade, Interpolation, Station};
+use shared_geom::files::OutputProblem;
 use shared_geom::hash::sha256_of;
 use shared_geom::line::ReferenceLine;
+use shared_geom::run_lock::RunLock;
 use shared_geom::section::{Provenance, SectionProperties};
 
 use super::layup_report::LayerRow;
@@ -95,6 +97,14 @@ impl SpanFiles {
             folder: folder.to_owned(),
             name: name.to_owned(),
         }
+    }
+
+    /// Keeps other runs from the sections, which blades of all names in one folder share.
+    ///
+    /// # Errors
+    /// [`OutputProblem::InUse`].
+    pub fn lock(&self) -> Result<RunLock, OutputProblem> {
+        RunLock::new(&self.sections().join("blade.lock"))
     }
 
     /// The folder of the sections.

@@ -173,7 +173,7 @@ fn report_says_what_went_in_and_in_which_axes() {
     for line in [
         "Section \"strip of aluminum\"",
         "  mesh      strip.msh: 165 nodes, 32 quadrilaterals with 9 nodes",
-        "  warning: material \"spare\" (line 10) is used by no region",
+        "  remark: material \"spare\" (line 10) is used by no region",
         "  Components: axial, shear y, shear z, torsion, bending y, bending z.",
         "  section  aluminum  -            -               32  4.06451e-5   1.09027e-1",
         "  tension  0  0  an axial force here causes no bending",
@@ -272,7 +272,8 @@ fn every_shape_and_kind_of_cell_gives_a_section() {
             .replace("\"section\"", &format!("\"{group}\""));
         workplace.write("a.section.toml", &section);
         for cell in ["tri3", "tri6", "quad4", "quad8", "quad9"] {
-            let arguments = [&["mesh", shape, "--cell", cell, "--out", "a.msh"], sizes].concat();
+            let out = ["--out", "a.msh", "--force"];
+            let arguments = [&["mesh", shape, "--cell", cell], &out[..], sizes].concat();
             assert_eq!(workplace.run(&arguments).code, 0, "{shape} {cell}");
             let run = workplace.run(&["check", "a.section.toml"]);
             assert_eq!((run.code, run.err.as_str()), (0, ""), "{shape} {cell}");

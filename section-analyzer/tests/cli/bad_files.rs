@@ -13,6 +13,11 @@ fn missing_files_are_reported_where_they_are_named() {
         "error: a.section.toml:1: mesh \"two.inp\" cannot be read: no such file",
         "  help: no file there ends in .inp; files there: two.msh",
     ]);
+    Workplace::with(&[("two.msh", "meshes/two.msh")], &[]).is_refused(&[
+        "error: a.section.toml:1: \"mesh\" is \"meshes/two.msh\", but there is no folder \"meshes\"",
+        "  help: make the folder, or correct its name; names are relative to the folder of the \
+         naming file",
+    ]);
     Workplace::with(&[("\"two.msh\"", "\".\"")], &[])
         .is_refused(&["error: a.section.toml:1: mesh \".\" cannot be read: it is a folder"]);
     let run = Workplace::new().run(&["check", "b.section.toml"]);

@@ -37,7 +37,6 @@ size = 6
 
 /// Meshes the file of a workplace, with a new section file.
 fn mesh(workplace: &Workplace) -> Run {
-    let _ = std::fs::remove_file(workplace.path("a.section.toml"));
     workplace.run(&[
         "mesh",
         "blade",
@@ -46,6 +45,7 @@ fn mesh(workplace: &Workplace) -> Run {
         "a.msh",
         "--section",
         "a.section.toml",
+        "--force",
     ])
 }
 
@@ -121,6 +121,17 @@ fn a_section_file_is_not_written_over() {
     assert!(run.err.contains("exists already"), "{}", run.err);
     assert_eq!(workplace.read("a.section.toml"), "mine");
     assert_eq!(workplace.run(&all).code, 0);
+    let again = workplace.run(&[&all[..], &["--section", "a.section.toml"]].concat());
+    let expected = ["a.msh", "a.section.toml"].map(|file| {
+        format!(
+            "error: \"{file}\" exists already, expected the name of a new file\n  help: --force \
+             replaces it\n"
+        )
+    });
+    assert_eq!((again.code, again.err), (2, expected.concat()));
+    let forced = ["--section", "a.section.toml", "--force"];
+    assert_eq!(workplace.run(&[&all[..], &forced].concat()).code, 0);
+    assert_ne!(workplace.read("a.section.toml"), "mine");
 }
 
 #[test]

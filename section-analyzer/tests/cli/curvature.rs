@@ -77,7 +77,7 @@ fn a_section_that_reaches_its_center_of_curvature_is_refused() {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert!(
         run.out
-            .contains("  warning: curvature times size is 1.34164: "),
+            .contains("  remark: curvature times size is 1.34164: "),
         "{}",
         run.out
     );

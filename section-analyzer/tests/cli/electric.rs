@@ -251,7 +251,7 @@ fn materials_without_stiffness_are_dielectrics() {
     let air = "[material.air]\nstiffness = \"none\"\nelectric = { relative_permittivity = 1 }\n";
     let run = potted(air, "air").run(&["check", "a.section.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert!(!run.out.contains("Warnings"), "{}", run.out);
+    assert!(!run.out.contains("Remarks"), "{}", run.out);
     assert!(
         run.out.contains(
             "  air: no stiffness, 0 kg/m^3\n      relative permittivity at constant strain 1, 1, 1\n"

@@ -152,7 +152,7 @@ fn electric_laws_and_electrodes_are_shown() {
         assert!(report.contains(expected), "{expected}: {report}");
     }
     // cells of steel are ignored, and a body is not a loose electrode
-    assert!(!report.contains("Warnings"), "{report}");
+    assert!(!report.contains("Remarks"), "{report}");
     let report = checked(&format!("{floating}{MIDDLE}"), &[]);
     assert!(
         report.contains("sensor floating point \"wire\" 1 node"),
@@ -176,7 +176,7 @@ fn what_is_odd_is_reported() {
     let report = checked("", &[]);
     assert!(
         report.contains(
-            "warning: material \"pzt\" is piezoelectric, and the section has no electrodes: it \
+            "remark: material \"pzt\" is piezoelectric, and the section has no electrodes: it \
              is solved with its stiffness at constant field, without potentials"
         ),
         "{report}"
@@ -185,8 +185,8 @@ fn what_is_odd_is_reported() {
         "[[electrode]]\nname = \"gnd\"\ncurve = [\"under\", \"bottom\"]\ncircuit = \"ground\"\n";
     let report = checked(side, &[("d32 = \"-274 pC/N\"\n", "")]);
     for expected in [
-        "warning: material \"pzt\" has d31 and no d32, which is then 0",
-        "warning: 3 of the 6 nodes of electrode \"gnd\" (node 1 for example) are on no dielectric",
+        "remark: material \"pzt\" has d31 and no d32, which is then 0",
+        "remark: 3 of the 6 nodes of electrode \"gnd\" (node 1 for example) are on no dielectric",
         "gnd ground curve \"under\", \"bottom\" 3 nodes",
     ] {
         assert!(report.contains(expected), "{expected}: {report}");

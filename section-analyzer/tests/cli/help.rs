@@ -221,6 +221,37 @@ fn a_closed_pipe_is_no_error() {
     }
 }
 
+/// As in `section-analyzer check bad.section.toml 2>&1 | head -0`: the work decides on the exit code.
+#[test]
+fn a_closed_pipe_hides_no_error() {
+    let workplace = Workplace::with(&[("two.msh", "tow.msh")], &[]);
+    for arguments in [["check", "a.section.toml"], ["analyze", "a.section.toml"]] {
+        let mut command = workplace.command(&arguments);
+        let piped = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = piped.spawn().unwrap();
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(child.wait().unwrap().code(), Some(2));
+    }
+}
+
+#[test]
+fn a_mesh_is_not_written_over() {
+    let workplace = Workplace::new();
+    let sizes = ["mesh", "rectangle", "--width", "1", "--height", "1"];
+    let rest = ["--cells-y", "1", "--cells-z", "1", "--out", "x.msh"];
+    let mesh = [&sizes[..], &rest].concat();
+    assert_eq!(workplace.run(&mesh).code, 0);
+    workplace.write("x.msh", "mine");
+    let run = workplace.run(&mesh);
+    assert_eq!(
+        run.err,
+        "error: \"x.msh\" exists already, expected the name of a new file\n  help: --force replaces it\n"
+    );
+    assert_eq!((run.code, workplace.read("x.msh").as_str()), (2, "mine"));
+    assert_eq!(workplace.run(&[&mesh[..], &["--force"]].concat()).code, 0);
+    assert_ne!(workplace.read("x.msh"), "mine");
+}
+
 #[test]
 fn a_mesh_that_cannot_be_written_is_wrong_usage() {
     let workplace = Workplace::new();

@@ -180,14 +180,14 @@ fn a_turbine_file_becomes_a_layup_file() {
     let run = workplace.run(&["layup", "a.yaml", "--out", "a.layup.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(run.out.contains("5 layers and 1 webs"), "{}", run.out);
-    assert!(run.out.contains("note: line "), "{}", run.out);
+    assert!(run.out.contains("remark: line "), "{}", run.out);
     let written = workplace.read("a.layup.toml");
     assert!(written.starts_with("# made of a.yaml\n# "), "{written}");
     assert!(written.contains("\n# line "), "{written}");
     let describe = |file: &str| {
         let run = workplace.run(&["layup", file, "--eta", "0.5"]);
         assert_eq!(run.code, 0, "{}", run.err);
-        let rows = run.out.lines().filter(|row| !row.contains("note: "));
+        let rows = run.out.lines().filter(|row| !row.contains("remark: "));
         rows.map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(describe("a.yaml"), describe("a.layup.toml"));

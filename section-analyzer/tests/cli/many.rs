@@ -131,7 +131,7 @@ fn problems_of_all_sections_are_reported_and_the_others_are_written() {
     let lines: Vec<_> = run.out.lines().map(str::trim_end).collect();
     assert_eq!(
         lines[1],
-        "one/b.section.toml  failed             6  1 warning"
+        "one/b.section.toml  failed             6  1 remark"
     );
     assert_eq!(lines[2], "none.section.toml   wrong input");
     assert_eq!(lines[6], "4 sections: 1 solved, 1 failed, 2 wrong input");

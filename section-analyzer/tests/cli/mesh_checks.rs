@@ -116,7 +116,7 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(
         run.out.contains(
-            "warning: slit: \"skin\" and \"web\" touch along 1 side between (1, 0) and (2, 0) \
+            "remark: slit: \"skin\" and \"web\" touch along 1 side between (1, 0) and (2, 0) \
              but share no nodes there"
         ),
         "{}",
@@ -141,7 +141,7 @@ fn poor_cells_are_a_warning_with_positions() {
     let workplace = Workplace::with(&[], &long);
     let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
-    let warning = "Warnings\n  warning: 1 cell has a poor shape: results nearby are less \
+    let warning = "Remarks\n  remark: 1 cell has a poor shape: results nearby are less \
                    accurate\n      cell 12 at (151, 0.5) in \"web\": aspect ratio 300.0, poor \
                    above 100\n\n";
     assert!(run.out.contains(warning), "{}", run.out);

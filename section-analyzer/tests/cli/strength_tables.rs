@@ -10,7 +10,7 @@ fn warnings(run: &Run) -> Vec<&str> {
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let lines = run.out.lines();
     lines
-        .filter_map(|line| line.strip_prefix("  warning: "))
+        .filter_map(|line| line.strip_prefix("  remark: "))
         .collect()
 }
 

@@ -186,7 +186,7 @@ fn wrong_loads_are_reported() {
         "error: a.section.toml:23: load \"a/b\": expected a name of letters, digits, \"-\" and \"_\"",
         "  help: the name becomes part of file names",
         "error: a.section.toml:24: \"axial\": \"mm\" measures a length, expected a force",
-        "  help: units of it: N, kN, MN, mN, lbf, kip",
+        "  help: units of it: N, kN, MN, mN, daN, lbf, kip",
         "error: a.section.toml:25: load \"c\" is zero, expected at least one of \"axial\", \
          \"shear_y\", \"shear_z\", \"torsion\", \"bending_y\", \"bending_z\", \"temperature\", \
          \"initial_strain\", \"traction\", \"volume\", \"voltages\"",

@@ -288,6 +288,55 @@ fn a_quiet_run_prints_problems_only() {
     assert!(run.err.contains("has no load case"), "{}", run.err);
 }
 
+/// A run without an option removes the results of the option, and lists them without a report too.
+#[test]
+fn a_quiet_run_says_what_it_removes() {
+    const FILE: &str = "results/a.sensitivity.json";
+    let workplace = Workplace::with(&[], &[]);
+    let plain = ["analyze", "a.section.toml", "--no-figures", "-q"];
+    let requested = [&plain[..], &["--sensitivity"]].concat();
+    let options = "--sensitivity and --mesh-error make them";
+    let removed = format!("removed: {FILE}, of an earlier run ({options})\n");
+    for (arguments, err) in [
+        (&requested[..], ""),
+        (&plain, removed.as_str()),
+        (&plain, ""),
+    ] {
+        let run = workplace.run(arguments);
+        let reported: Vec<_> = run.err.lines().filter(|line| line.contains(FILE)).collect();
+        assert_eq!(
+            (run.code, reported.concat()),
+            (0, err.trim_end().to_owned())
+        );
+    }
+}
+
+/// The lock of a file that another run writes is named, and the one of a killed run is not a lock.
+#[test]
+fn two_runs_do_not_write_the_same_results() {
+    let workplace = Workplace::with(&[], &[]);
+    let load = ["--axial", "1"];
+    let analyze = ["analyze", "a.section.toml", "--no-figures"];
+    let stress = [&["stress", "a.section.toml", "--no-figures"], &load[..]].concat();
+    assert_eq!(workplace.run(&analyze).code, 0);
+    let lock = workplace.path("results/a.section.lock");
+    let other = shared_geom::run_lock::RunLock::new(&lock).unwrap();
+    for arguments in [&[&analyze[..], &["--force"]].concat(), &stress] {
+        let run = workplace.run(arguments);
+        let expected = format!(
+            "error: \"results/a.section.lock\" is locked: the run of process {} is writing results \
+             of this name into this folder\n  help: wait for its end, ",
+            std::process::id()
+        );
+        assert!(run.err.starts_with(&expected), "{}", run.err);
+        assert_eq!(run.code, 2);
+    }
+    drop(other);
+    workplace.write("results/a.section.lock", "4194304999\n");
+    assert_eq!(workplace.run(&stress).code, 0);
+    assert!(!lock.exists());
+}
+
 /// Warnings are a part of the report; without a report they are on the error stream, of the
 /// results of an earlier run too.
 #[test]
@@ -317,7 +366,7 @@ fn a_quiet_run_hides_no_warning() {
     assert_eq!(found, (0, "", both.as_str()));
     let run = workplace.run(&many);
     assert_eq!(run.err, "");
-    assert!(run.out.contains("  1 warning\n"), "{}", run.out);
+    assert!(run.out.contains("  1 remark\n"), "{}", run.out);
 }
 
 /// The figures of a check are the ones that the options request; others are removed.

@@ -10,7 +10,7 @@ use super::syntax::syntax_problems;
 use super::tree::{self, Entry, Kind, Lines, Value};
 use super::{Document, DocumentProblem, read_text};
 use crate::error::{Diagnostics, SourceLocation};
-use crate::files::names_beside;
+use crate::files::{MissingFolder, names_beside};
 use toml::de::DeTable;
 
 /// Most lines of a file.
@@ -105,10 +105,19 @@ impl Reader {
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
         let path = folder.join(written);
         if !path.is_file() {
-            let problem = DocumentProblem::NoFile {
-                key: KEY.to_owned(),
-                name: written.clone(),
-                known: names_beside(&path),
+            let (key, name) = (KEY.to_owned(), written.clone());
+            let problem = match MissingFolder::before(&path) {
+                Some(folder) => DocumentProblem::NoFolder {
+                    key,
+                    name,
+                    folder,
+                    others: 0,
+                },
+                None => DocumentProblem::NoFile {
+                    key,
+                    name,
+                    known: names_beside(&path),
+                },
             };
             let (file, line) = split(item.line);
             let location = SourceLocation::line(&self.files[file], line);

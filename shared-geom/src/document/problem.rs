@@ -2,7 +2,7 @@
 
 use crate::error::{Explain, listed, nearest_name, quoted};
 use crate::expression::ExpressionProblem;
-use crate::files::nearest_file;
+use crate::files::{MissingFolder, nearest_file};
 use crate::units::UnitProblem;
 
 /// Most words that a sentence lists.
@@ -24,6 +24,23 @@ pub enum DocumentProblem {
         name: String,
         /// The files of the folder that was searched.
         known: Vec<String>,
+    },
+    /// The folder of the file does not exist.
+    #[error("cannot be read: there is no folder \"{}\"", .0.path)]
+    AbsentFolder(MissingFolder),
+    /// A file that is named in a folder that does not exist.
+    #[error(
+        "\"{key}\" is \"{name}\", but there is no folder \"{}\"{}", .folder.path, also(*.others)
+    )]
+    NoFolder {
+        /// The key that names it.
+        key: String,
+        /// Its name as written.
+        name: String,
+        /// The missing folder.
+        folder: MissingFolder,
+        /// Number of further files in it.
+        others: usize,
     },
     /// A file that is named and does not exist.
     #[error("\"{key}\": no file \"{name}\"")]
@@ -179,6 +196,15 @@ fn words(known: &[String]) -> String {
     }
 }
 
+/// The number of further files in a missing folder, as text.
+fn also(others: usize) -> String {
+    match others {
+        0 => String::new(),
+        1 => "; 1 more file is named in it".to_owned(),
+        _ => format!("; {others} more files are named in it"),
+    }
+}
+
 impl Explain for DocumentProblem {
     fn help(&self) -> Option<String> {
         match self {
@@ -207,6 +233,11 @@ impl Explain for DocumentProblem {
             Self::Syntax { help, .. } => help.clone(),
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),
+            Self::AbsentFolder(folder) => folder
+                .near
+                .as_ref()
+                .map(|near| format!("did you mean the folder \"{near}\"?")),
+            Self::NoFolder { folder, .. } => Some(folder.help()),
             Self::Absent { known, .. } if known.is_empty() => None,
             Self::NoFile { name, known, .. } | Self::Absent { name, known } => {
                 Some(nearest_file(name, known))

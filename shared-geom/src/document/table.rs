@@ -1,7 +1,7 @@
 //! One table of an input file, and the values in it.
 
 use std::cell::RefCell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 
@@ -171,6 +171,9 @@ impl<'a> Table<'a> {
         if path.exists() {
             return Some(path);
         }
+        if self.is_in_missing_folder(key, written, &path) {
+            return None;
+        }
         let problem = DocumentProblem::NoFile {
             key: key.to_owned(),
             name: written.to_owned(),
@@ -178,6 +181,15 @@ impl<'a> Table<'a> {
         };
         self.note(key, &problem);
         None
+    }
+
+    /// Whether the folder of the file at `path`, which `key` names as `written`, does not exist; this is
+    /// noted, once for all files in it.
+    pub fn is_in_missing_folder(&self, key: impl AsRef<str>, written: &str, path: &Path) -> bool {
+        let key = key.as_ref();
+        let line = self.line_of(key);
+        self.document
+            .is_in_missing_folder(line, [key, written], path)
     }
 
     /// The content of the file that `key` names; notes its problems, with the key.
@@ -262,6 +274,12 @@ impl<'a> Table<'a> {
 
     /// A whole number of at least one under `key`.
     pub fn count(&self, key: &str) -> Option<usize> {
+        self.count_or(key, "a whole number of at least 1")
+    }
+
+    /// As [`Table::count`]; `expected` is what messages say.
+    pub fn count_or(&self, key: impl AsRef<str>, expected: &str) -> Option<usize> {
+        let key = key.as_ref();
         let value = self.look_up(key)?;
         let count = match value.kind {
             Kind::Integer(number) => usize::try_from(number).ok().filter(|n| *n > 0),
@@ -274,7 +292,7 @@ impl<'a> Table<'a> {
         };
         match count {
             Some(count) => Some(count),
-            None => self.wrong_value(key, value, "a whole number of at least 1"),
+            None => self.wrong_value(key, value, expected),
         }
     }
 

@@ -124,14 +124,14 @@ fn undeclared_and_unknown_units_are_errors() {
         let _ = root.quantity("a", Dimension::LENGTH);
     });
     assert!(none.contains("has no \"units\""), "{none}");
-    let wrong = problems("[units]\nlength = \"inch\"\n", |root| {
+    let wrong = problems("[units]\nlength = \"mmm\"\n", |root| {
         root.document().declare_units(root);
     });
     assert!(
-        wrong.contains("a.toml:2: \"length\": unknown unit \"inch\""),
+        wrong.contains("a.toml:2: \"length\": unknown unit \"mmm\""),
         "{wrong}"
     );
-    assert!(wrong.contains("did you mean \"in\"?"), "{wrong}");
+    assert!(wrong.contains("did you mean \"mm\"?"), "{wrong}");
 }
 
 #[test]
@@ -320,7 +320,36 @@ fn a_missing_file_is_named() {
     let shown = Document::read(Path::new("no/such.toml")).unwrap_err();
     assert_eq!(
         shown.to_string(),
-        "error: no/such.toml: cannot be read: no such file"
+        "error: no/such.toml: cannot be read: there is no folder \"no\""
+    );
+    let shown = Document::read(Path::new("such.toml")).unwrap_err();
+    let expected = "error: such.toml: cannot be read: no such file";
+    assert!(shown.to_string().starts_with(expected), "{shown}");
+}
+
+/// Files in one missing folder are one message, at the first of them.
+#[test]
+fn a_missing_folder_is_named_once() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("tables")).unwrap();
+    let file = folder.path().join("a.toml").display().to_string();
+    let text = "a = \"none\"\nb = \"table/b.csv\"\nc = \"table/deep/c.csv\"\nd = \"table/d.csv\"\n";
+    let document = Document::parse(text, &file).unwrap();
+    let root = document.root();
+    for key in ["a", "b", "c", "d"] {
+        let written = root.text(key).unwrap();
+        assert_eq!(root.existing(key, &written), None);
+    }
+    let shown = document.finish(Some(())).unwrap_err().to_string();
+    let missing = folder.path().join("table").display().to_string();
+    let expected = format!(
+        "error: {file}:2: \"b\" is \"table/b.csv\", but there is no folder \"{missing}\"; 2 more \
+         files are named in it\n  help: did you mean the folder \"tables\"?"
+    );
+    assert!(shown.ends_with(&expected), "{shown}");
+    assert!(
+        shown.contains("a.toml:1: \"a\": no file \"none\""),
+        "{shown}"
     );
 }
 

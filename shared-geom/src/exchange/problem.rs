@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::error::{Diagnostics, Explain, SourceLocation, shortened};
-use crate::files::{names_beside, nearest_file};
+use crate::files::{MissingFolder, names_beside, nearest_file};
 
 /// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
@@ -58,6 +58,16 @@ pub enum ExchangeProblem {
         what: String,
         /// The expected content.
         expected: String,
+    },
+    /// A file that is named in a folder that does not exist.
+    #[error("{what}: no file \"{name}\", for there is no folder \"{}\"", .folder.path)]
+    NoFolder {
+        /// The statement that names it.
+        what: String,
+        /// Its name as written.
+        name: String,
+        /// The missing folder.
+        folder: MissingFolder,
     },
     /// A file that another one names and that does not exist.
     #[error("{what}: no file \"{name}\"")]
@@ -131,6 +141,7 @@ impl Explain for ExchangeProblem {
             Self::Count { separator, .. } => Some(format!(
                 "columns are separated by {separator}; see the page on formats"
             )),
+            Self::NoFolder { folder, .. } => Some(folder.help()),
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::Order { .. } => {
                 Some("put the stations in order from the root to the tip".to_owned())
@@ -188,6 +199,11 @@ impl Problems {
     pub fn finds(&mut self, path: &Path, what: &str, name: &str, line: usize) -> bool {
         if path.exists() {
             return true;
+        }
+        if let Some(folder) = MissingFolder::before(path) {
+            let (what, name) = (what.to_owned(), name.to_owned());
+            self.push(line, &ExchangeProblem::NoFolder { what, name, folder });
+            return false;
         }
         let (what, name, known) = (what.to_owned(), name.to_owned(), names_beside(path));
         self.push(line, &ExchangeProblem::NoFile { what, name, known });

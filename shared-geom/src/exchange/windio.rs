@@ -30,6 +30,7 @@ mod block;
 pub mod fields;
 mod flow;
 mod into;
+mod length;
 mod mass;
 mod version1;
 mod version2;
@@ -42,6 +43,7 @@ mod tests;
 
 pub use assemble::line as reference_line;
 pub(super) use into::write_into;
+pub use length::length_remark;
 
 /// Table of the matrices of version 1.
 const VERSION_1: [&str; 3] = ["components", "blade", "elastic_properties_mb"];

@@ -82,7 +82,7 @@ const CHOSEN: &str = "[output]
 
 /// An error in every card.
 const WRONG: &str = "[output]
-every = 0
+every = 0.005
 [[output.column]]
 name = \"1st\"
 quantity = \"posizion\"
@@ -219,7 +219,7 @@ fn columns_have_names_units_and_parts() {
 fn all_that_is_wrong_is_reported_with_the_nearest_name() {
     let reported = input(WRONG).unwrap_err();
     for expected in [
-        "a.dynamics.toml:29: \"every\" is 0, expected a whole number of at least 1",
+        "a.dynamics.toml:29: \"every\" is 0.005, expected a time above zero with its unit, or a number of steps",
         "a.dynamics.toml:31: \"1st\" is not a column name, expected letters",
         "did you mean \"position\"?",
         "unknown node \"the tib\" in column \"a\"\n  help: did you mean \"the tip\"?",

@@ -15,7 +15,7 @@ const DIGITS: usize = 7;
 pub fn linear_text(model: &LinearModel) -> String {
     let mut text = format!("{}: linear model about {}\n", model.name, model.about);
     for remark in &model.remarks {
-        text.push_str(&format!("  note: {remark}\n"));
+        text.push_str(&format!("  remark: {remark}\n"));
     }
     let [states, inputs, outputs] = [&model.states, &model.inputs, &model.outputs].map(Vec::len);
     text.push_str(&format!(

@@ -36,13 +36,13 @@ pub fn performance_text(result: &PerformanceResult) -> String {
             let count = table.points.len();
             let _ = writeln!(
                 text,
-                "note: at {unsolved} of {count} points some stations have no state in balance, and \
+                "remark: at {unsolved} of {count} points some stations have no state in balance, and \
                  no induction"
             );
         }
     }
     for remark in &result.remarks {
-        let _ = write!(text, "\nnote: {remark}");
+        let _ = write!(text, "\nremark: {remark}");
     }
     if !result.remarks.is_empty() {
         text.push('\n');

@@ -30,7 +30,7 @@ pub fn periodic_text(result: &PeriodicResult) -> String {
         result.steps
     );
     for remark in &result.remarks {
-        text.push_str(&format!("  note: {remark}\n"));
+        text.push_str(&format!("  remark: {remark}\n"));
     }
     text.push_str(&passes(result));
     let ending = if result.is_periodic {

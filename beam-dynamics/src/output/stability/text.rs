@@ -22,7 +22,7 @@ pub fn stability_text(result: &StabilityResult) -> String {
     let (name, parameter) = (&result.name, &result.parameter);
     let mut text = format!("{name}: stability over {parameter}, {}\n", result.method);
     for remark in &result.remarks {
-        text.push_str(&format!("  note: {remark}\n"));
+        text.push_str(&format!("  remark: {remark}\n"));
     }
     text.push_str(&boundaries(result));
     text.push_str("\nLeast damped mode of each value\n");

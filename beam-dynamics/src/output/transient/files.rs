@@ -6,7 +6,6 @@ use shared_geom::files::make_folder;
 
 use super::csv_rows::CsvRows;
 use super::grids::{FIELDS, Grids, SERIES};
-use super::lock::RunLock;
 use super::netcdf_rows::NetcdfRows;
 use super::restart::write_snapshot;
 use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
@@ -21,7 +20,6 @@ use crate::result::{AcceptedStep, ColumnValues, Recorder, Snapshot};
 struct Names {
     csv: &'static str,
     netcdf: &'static str,
-    lock: &'static str,
     text: &'static str,
     plot: [&'static str; 2],
 }
@@ -29,14 +27,12 @@ struct Names {
 const TRANSIENT: Names = Names {
     csv: "transient.csv",
     netcdf: "transient.nc",
-    lock: "transient.lock",
     text: "transient.txt",
     plot: ["transient.png", "transient.svg"],
 };
 const PERIODIC: Names = Names {
     csv: "periodic.csv",
     netcdf: "periodic.nc",
-    lock: "periodic.lock",
     text: "periodic.txt",
     plot: ["periodic.png", "periodic.svg"],
 };
@@ -69,8 +65,6 @@ pub struct RunFiles<'a> {
     /// Identification of the model.
     fingerprint: String,
     problem: Option<RunFileProblem>,
-    /// Keeps other runs from the files, until this one ends.
-    _lock: RunLock,
 }
 
 impl<'a> RunFiles<'a> {
@@ -78,14 +72,14 @@ impl<'a> RunFiles<'a> {
     /// from `resumed` keeps them up to its time.
     ///
     /// # Errors
-    /// [`RunFileProblem`]: the folder or a file cannot be made, is in use, or has other columns.
+    /// [`RunFileProblem`]: the folder or a file cannot be made, or has other columns.
     pub fn new(
         model: &'a Model,
         settings: &'a OutputSettings,
         location: &'a ResultLocation,
         resumed: Option<&Snapshot>,
     ) -> Result<Self, RunFileProblem> {
-        let mut files = Self::locked(model, settings, (location, &TRANSIENT), resumed)?;
+        let mut files = Self::without_tables(model, settings, (location, &TRANSIENT), resumed)?;
         match resumed {
             None => {
                 files.results.remove([SERIES, RESTART]);
@@ -112,14 +106,14 @@ impl<'a> RunFiles<'a> {
         settings: &'a OutputSettings,
         location: &'a ResultLocation,
     ) -> Result<Self, RunFileProblem> {
-        let mut files = Self::locked(model, settings, (location, &PERIODIC), None)?;
+        let mut files = Self::without_tables(model, settings, (location, &PERIODIC), None)?;
         (files.grids, files.restarts) = (None, None);
         files.open_tables(model, settings, None)?;
         Ok(files)
     }
 
     /// The files without tables; files of an earlier run are removed.
-    fn locked(
+    fn without_tables(
         model: &'a Model,
         settings: &'a OutputSettings,
         (location, names): (&'a ResultLocation, &'static Names),
@@ -127,7 +121,6 @@ impl<'a> RunFiles<'a> {
     ) -> Result<Self, RunFileProblem> {
         make_folder(&location.folder)?;
         let results = Results::new(location);
-        let lock = RunLock::new(&results.path(names.lock))?;
         let files = Self {
             names,
             values: ColumnValues::new(model, settings),
@@ -144,7 +137,6 @@ impl<'a> RunFiles<'a> {
             fingerprint: model.fingerprint(),
             problem: None,
             results,
-            _lock: lock,
         };
         files.results.remove(names.plot);
         files.results.remove([names.text]);
@@ -322,7 +314,7 @@ pub fn not_drawn_text(not_drawn: &[String]) -> String {
         more => format!(" and {more} more"),
     };
     format!(
-        "\nnote: the figure leaves out the columns {shown}{more}; \
+        "\nremark: the figure leaves out the columns {shown}{more}; \
          `plot` draws those given with --columns\n"
     )
 }

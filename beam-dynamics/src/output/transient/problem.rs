@@ -16,17 +16,6 @@ pub enum RunFileProblem {
         /// The remedy.
         remedy: &'static str,
     },
-    /// Files that another run is writing.
-    #[error(
-        "\"{file}\" is locked: {} is writing results of this name into this folder",
-        process.map_or("another run".to_owned(), |id| format!("the run of process {id}"))
-    )]
-    InUse {
-        /// The locked file.
-        file: String,
-        /// Process that has it, if it is known.
-        process: Option<u32>,
-    },
     /// A table of another run.
     #[error("\"{file}\" has other columns than this run")]
     OtherColumns {
@@ -84,11 +73,6 @@ impl Explain for RunFileProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::Unreadable { remedy, .. } => Some((*remedy).to_owned()),
-            Self::InUse { .. } => Some(
-                "wait for its end, or use another folder with --out; a run that was killed locks \
-                 nothing"
-                    .to_owned(),
-            ),
             Self::OtherColumns { .. } => Some(
                 "continue with the [output] of the first part, or use another folder with --out"
                     .to_owned(),

@@ -13,7 +13,7 @@ const DIGITS: usize = 9;
 pub fn trim_text(result: &TrimResult) -> String {
     let mut text = format!("{}: trim, {}\n", result.name, result.method);
     for remark in &result.remarks {
-        text.push_str(&format!("  note: {remark}\n"));
+        text.push_str(&format!("  remark: {remark}\n"));
     }
     match (&result.sweep, result.points.as_slice()) {
         (None, [point]) => text.push_str(&single(result, point)),

@@ -63,8 +63,8 @@ impl Lines {
         }
         match outcome.warnings.len() {
             0 => {}
-            1 => line += "  1 warning",
-            count => line += &format!("  {count} warnings"),
+            1 => line += "  1 remark",
+            count => line += &format!("  {count} remarks"),
         }
         if !outcome.removed.is_empty() {
             line += "  results of an earlier run removed";

@@ -3,17 +3,18 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
+use std::path::PathBuf;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::Job;
 use super::lines::Lines;
 use super::one::Outcome;
 use super::progress::Progress;
-use crate::cli::{NOT_REACHED, Stop, Terminal};
+use super::{Job, ON_REQUEST};
+use crate::cli::{NOT_REACHED, Stop, Terminal, list_removed};
 
 /// Stack of a thread \[bytes\]: as large as the stack of a main thread, so that a section
 /// that can be solved alone can also be solved with others.
@@ -116,6 +117,8 @@ struct Listener<'a, 'b> {
     known: BTreeSet<String>,
     /// The sections of each warning, without a report.
     warned: BTreeMap<String, Vec<String>>,
+    /// Removed results.
+    removed: Vec<PathBuf>,
     /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
@@ -131,6 +134,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             reported: 0,
             known: BTreeSet::new(),
             warned: BTreeMap::new(),
+            removed: Vec::new(),
             closed: None,
         };
         let heading = listener.lines.heading();
@@ -147,6 +151,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             }
         }
         while let Some(outcome) = self.waiting.remove(&self.reported) {
+            self.removed.extend(outcome.removed.iter().cloned());
             let line = self.lines.of(&self.jobs[self.reported], &outcome);
             if self.terminal.is_quiet && !outcome.report.is_empty() {
                 for text in &outcome.warnings {
@@ -193,9 +198,14 @@ impl<'a, 'b> Listener<'a, 'b> {
                 .filter(|all| !all.is_empty())
                 .as_deref(),
         );
+        let listed = list_removed((&self.removed, ON_REQUEST), self.terminal);
+        let unlisted = listed.err().and_then(|stop| match stop {
+            Stop::Closed(error) => Some(error),
+            Stop::Reported(_) => None,
+        });
         Ended {
             worst: self.lines.worst(),
-            closed: self.closed,
+            closed: self.closed.or(unlisted),
         }
     }
 }
@@ -254,12 +264,12 @@ mod tests {
         assert_eq!(err, b"error: 2\n");
     }
 
-    /// A stream without a reader.
-    struct Closed;
+    /// A stream on a full disk.
+    struct Full;
 
-    impl Write for Closed {
+    impl Write for Full {
         fn write(&mut self, _: &[u8]) -> io::Result<usize> {
-            Err(io::Error::from(io::ErrorKind::BrokenPipe))
+            Err(io::Error::from(io::ErrorKind::StorageFull))
         }
 
         fn flush(&mut self) -> io::Result<()> {
@@ -267,13 +277,13 @@ mod tests {
         }
     }
 
-    /// The run continues without a reader, and its exit code applies.
+    /// The run continues without output, and its exit code applies.
     #[test]
-    fn a_closed_pipe_hides_no_failure() {
+    fn lost_output_hides_no_failure() {
         for (status, code) in [(Status::Solved, None), (Status::WrongInput, Some(2))] {
             let mut err = Vec::new();
             let mut terminal = Terminal {
-                out: &mut Closed,
+                out: &mut Full,
                 err: &mut err,
                 is_quiet: false,
             };
@@ -283,7 +293,7 @@ mod tests {
             assert_eq!(listener.reported, 3);
             match (listener.finish().result(), code) {
                 (Err(Stop::Closed(error)), None) => {
-                    assert_eq!(error.kind(), io::ErrorKind::BrokenPipe);
+                    assert_eq!(error.kind(), io::ErrorKind::StorageFull);
                 }
                 (Err(Stop::Reported(found)), Some(code)) => assert_eq!(found, code),
                 (other, _) => panic!("{other:?}"),

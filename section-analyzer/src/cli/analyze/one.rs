@@ -174,6 +174,10 @@ fn analyze_checked(
     };
     let mut removed = no_longer_requested(&files, run);
     let solve = || {
+        let _lock = match files.lock() {
+            Ok(lock) => lock,
+            Err(problem) => return (Outcome::wrong_input(words(&problem)), None),
+        };
         let results = ResultWriter::new(files).with_figures(run.figures);
         let in_circuit = |found| InCircuit::new(input, found, run);
         match analyzed(input, parameters).and_then(in_circuit) {

@@ -39,12 +39,15 @@ pub struct MeshLayupArguments {
     /// Position along the span, 0 at the root to 1 at the tip [-]
     #[arg(long, value_name = "PART", default_value_t = 0.0)]
     pub eta: f64,
-    /// Mesh file to write
+    /// Mesh file to write; it must not exist
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Section file to write; it must not exist
     #[arg(long, value_name = "FILE")]
     pub section: Option<PathBuf>,
+    /// Replace files that exist
+    #[arg(long)]
+    pub force: bool,
     /// Reduce Poisson's ratios of windIO files that no material can have
     #[arg(long)]
     pub repair_materials: bool,

@@ -9,11 +9,14 @@ use shared_geom::figure::Figure;
 use shared_geom::files::{OutputProblem, make_folder, write_figure, write_whole};
 
 use crate::cli::arguments::WholeBladeArguments;
-use crate::cli::{NOT_REACHED, Stop, Terminal, list};
+use crate::cli::{NOT_REACHED, Stop, Terminal, list, list_removed};
 use crate::output::{
     Figures, SolvedSpan, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv,
     span_plots, span_text,
 };
+
+/// The options of results that a run without them removes.
+const ON_REQUEST: &str = "--compare, --report and complete blades make them";
 
 /// A blade whose sections do not make one.
 #[derive(Debug, thiserror::Error)]
@@ -62,17 +65,10 @@ pub(super) fn write(
     if let Some(other) = &results.other {
         write!(terminal.out, "\n{}", comparison_text(span, other))?;
     }
-    let mut written = Vec::new();
+    let (mut written, mut removed) = (Vec::new(), Vec::new());
     let mut lost = Vec::new();
     let done = write_tables(span, files, figures, &mut written)
-        .and_then(|()| {
-            let table = results
-                .other
-                .as_ref()
-                .map(|other| comparison_csv(span, other));
-            write_or_remove(table.as_deref(), files.comparison(), &mut written)
-        })
-        .and_then(|()| write_or_remove(results.page.as_deref(), files.report(), &mut written))
+        .and_then(|()| write_requested(results, files, (&mut written, &mut removed)))
         .and_then(|()| {
             if is_written {
                 write_blade(
@@ -83,7 +79,7 @@ pub(super) fn write(
                     (&mut written, &mut lost),
                 )
             } else {
-                remove_blade(&blade, span.name, files);
+                removed.extend(remove_blade(&blade, span.name, files));
                 Ok(())
             }
         });
@@ -91,6 +87,7 @@ pub(super) fn write(
         writeln!(terminal.out, "  {text}")?;
     }
     list("Written", &written, terminal)?;
+    list_removed((&removed, ON_REQUEST), terminal)?;
     let mut end = Ok(());
     for problem in problems {
         end = Err(terminal.report(&Unsound(problem.to_string()), NOT_REACHED));
@@ -130,11 +127,28 @@ fn write_tables(
     Ok(())
 }
 
+/// Writes the results on request, or removes the ones of an earlier run.
+fn write_requested(
+    results: &Results<'_>,
+    files: &SpanFiles,
+    (written, removed): (&mut Vec<PathBuf>, &mut Vec<PathBuf>),
+) -> Result<(), OutputProblem> {
+    let other = results.other.as_ref();
+    let table = other.map(|other| comparison_csv(results.span, other));
+    for (text, file) in [
+        (table.as_deref(), files.comparison()),
+        (results.page.as_deref(), files.report()),
+    ] {
+        write_or_remove(text, file, (&mut *written, &mut *removed))?;
+    }
+    Ok(())
+}
+
 /// Writes a file, or removes the one of an earlier run.
 fn write_or_remove(
     text: Option<&str>,
     file: PathBuf,
-    written: &mut Vec<PathBuf>,
+    (written, removed): (&mut Vec<PathBuf>, &mut Vec<PathBuf>),
 ) -> Result<(), OutputProblem> {
     match text {
         Some(text) => {
@@ -142,7 +156,7 @@ fn write_or_remove(
             written.push(file);
         }
         // A missing file is ignored.
-        None => drop(std::fs::remove_file(file)),
+        None => removed.extend(std::fs::remove_file(&file).ok().map(|()| file)),
     }
     Ok(())
 }
@@ -179,8 +193,8 @@ fn write_blade(
     Ok(())
 }
 
-/// Removes the blades of an earlier run, which had other sections.
-fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) {
+/// Removes the blades of an earlier run, which had other sections; returns them.
+fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) -> Vec<PathBuf> {
     let mut old = vec![files.blade()];
     for format in Format::ALL
         .into_iter()
@@ -193,8 +207,7 @@ fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) {
                 .map(|(file, _)| files.format(format.name()).join(file)),
         );
     }
-    for file in old {
-        // A missing file is ignored.
-        let _ = std::fs::remove_file(file);
-    }
+    // A missing file is ignored.
+    old.retain(|file| std::fs::remove_file(file).is_ok());
+    old
 }

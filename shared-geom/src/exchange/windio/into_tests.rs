@@ -7,7 +7,7 @@ use crate::blade::Blade;
 use crate::exchange::problem::Problems;
 use crate::exchange::samples::{blade, difference};
 use crate::exchange::yaml;
-use crate::exchange::{Options, parse, write_into};
+use crate::exchange::{Options, length_remark, parse, write_into};
 
 const TWO: &str = include_str!("../../../../tests/reference/exchange/windio2_iea15.yaml");
 const ONE: &str = include_str!("../../../../tests/reference/exchange/windio1_iea15.yaml");
@@ -59,6 +59,37 @@ fn a_blade_returns_into_its_own_file() {
     let error = difference(&old, &read(&written.files[0].1));
     // Parts of the length are divided by it and multiplied again.
     assert!(error < 1e-12, "{error:e}");
+}
+
+// The IEA-15 blade is 117 m long along z, and its prebend of 4 m adds 0.1 % of this.
+#[test]
+fn a_blade_of_another_length_is_remarked() {
+    for (text, kept) in [
+        (TWO, "the shape and"),
+        (ONE, "the reference axis, the shape and"),
+    ] {
+        let own = read(text);
+        assert_eq!(length_remark(&own, text), None);
+        let mut longer = own.clone();
+        for point in &mut longer.line.points {
+            point.position *= 1.04;
+        }
+        assert_eq!(length_remark(&longer, text), None);
+        for point in &mut longer.line.points {
+            point.position *= 1.02;
+        }
+        let shown = length_remark(&longer, text).unwrap();
+        let new = own.length() * 1.04 * 1.02;
+        let begins = format!(
+            "the blade is {new:.4} m long, and the blade of the file {:.4} m",
+            own.length()
+        );
+        assert!(
+            shown.starts_with(&begins) && shown.contains(kept),
+            "{shown}"
+        );
+    }
+    assert_eq!(length_remark(&blade(), "components:\n  blade:\n"), None);
 }
 
 // Rules of the schema of windIO 2.1.1 for the parts that are written: required keys, no other
