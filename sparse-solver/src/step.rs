@@ -37,7 +37,7 @@ pub struct LinearCounts {
 ///
 /// Pivots are kept from matrix to matrix while the factors do not grow and solutions satisfy
 /// their equations. Otherwise the other pivots of the last few choices are tried, since matrices
-/// recur, as those of a rotor do in each revolution; then new ones are chosen, and if these fail
+/// recur, as the matrices of a rotor in each revolution; then new ones are chosen, and if these fail
 /// too, the general factorization is used, which chooses pivots for every matrix. Nothing is
 /// allocated while pivots are kept.
 ///
