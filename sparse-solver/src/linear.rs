@@ -15,7 +15,7 @@ use super::number::{LANES, Number, Row};
 use crate::pattern::{Pattern, Sparse};
 
 /// Maximum number of stored plans.
-pub(crate) const KEPT: usize = 4;
+const KEPT: usize = 4;
 
 /// Factorizes matrices on one pattern. A clone has its own pivots from then on.
 #[derive(Debug)]
