@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{Lu, Plan};
+use super::lu::{Lu, Plan, most_plans};
 use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
@@ -18,12 +18,6 @@ const WRONG_ABOVE: f64 = 1e-6;
 /// Size of terms of an equation, relative to the largest ones, below which they are rounding
 /// [-].
 const SMALL: f64 = 1e-12;
-
-/// Smallest and largest number of stored plans: a factorization by a plan takes a fiftieth of the time
-/// of a choice of pivots.
-const PLANS: [usize; 2] = [4, 16];
-/// Entries of all matrices for which more than the smallest number of plans is stored.
-const STORED: usize = 1_000_000;
 
 /// Number of operations of a solver, by kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -232,9 +226,7 @@ impl StepSolver {
                     .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
                 self.ordered.resize(buffer_len, 0.0);
                 self.plans.insert(0, Arc::clone(lu.plan()));
-                let entries = self.matrix.pattern().entries();
-                self.plans
-                    .truncate((STORED / entries.max(1)).clamp(PLANS[0], PLANS[1]));
+                self.plans.truncate(most_plans(self.matrix.pattern()));
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,
