@@ -274,9 +274,6 @@ impl Wall {
             .pairs
             .contacts(&self.stack, self.size, is_face, &can_meet);
         let chord = self.chord();
-        if self.edge == Edge::Face {
-            self.lengthen_last(chord);
-        }
         let mut zones: Vec<[f64; 2]> = Vec::new();
         for [from, to] in self.contacts.clone() {
             let reach = |x: f64| self.reach_at(x) * factor / chord;
@@ -290,21 +287,6 @@ impl Wall {
             }
         }
         self.zones = zones;
-    }
-
-    /// Lengthens the contact at the end of both sides to half of their thickness: a single node
-    /// joins no walls. With this length the shear center is about the one of a wall on the base.
-    fn lengthen_last(&mut self, chord: f64) {
-        let pair = self.pairs.pair(1.0);
-        let thick = pair.s.map(|s| self.stack.total(s));
-        let from = 1.0 - 0.5 * thick[0].max(thick[1]) / chord;
-        let meets = |one: &[f64; 2]| one[1] >= from;
-        let first = self.contacts.iter().position(meets);
-        if let Some(first) = first.filter(|_| from > FOREMOST) {
-            let from = from.min(self.contacts[first][0]);
-            self.contacts.truncate(first);
-            self.contacts.push([from, 1.0]);
-        }
     }
 
     fn reach_at(&self, x: f64) -> f64 {
