@@ -4,7 +4,7 @@
 //! (properties are chosen so) give about 1e-9 of the largest entry; 2e-8 allows for the third
 //! derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::parameters::Parametrization;
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::section::CubicTable;
@@ -23,9 +23,7 @@ use super::springs::{
     End, Measure, Rod, Spring, SpringLaw, SupportFrame, SupportLaw, SupportSpring,
 };
 use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries, Signal};
-use crate::model::{
-    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
-};
+use crate::model::{Conditions, Drive, Loading, Node, NodeMotion, Scalars, TurningFrame, Variable};
 
 mod control;
 mod differences;

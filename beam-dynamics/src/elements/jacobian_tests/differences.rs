@@ -1,6 +1,10 @@
 //! Derivatives of an element by central differences.
 
-use super::*;
+use nalgebra::DMatrix;
+
+use super::{Own, STEP, vary};
+use crate::elements::{Element, LocalResidual, LocalSize, Queries};
+use crate::model::{Conditions, NODE_UNKNOWNS, NodeMotion, Variable};
 
 /// Derivatives by unknowns and by rates, by central differences.
 pub(super) fn differences(
