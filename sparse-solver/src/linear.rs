@@ -10,12 +10,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use faer::{Mat, c64};
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{Lu, Plan};
+use super::lu::{Lu, Plan, most_plans};
 use super::number::{LANES, Number, Row};
 use crate::pattern::{Pattern, Sparse};
-
-/// Maximum number of stored plans.
-pub(crate) const KEPT: usize = 4;
 
 /// Factorizes matrices on one pattern. A clone has its own pivots from then on.
 #[derive(Debug)]
@@ -105,7 +102,7 @@ impl LinearSolver {
             Some(lu) => {
                 let mut plans = self.plans();
                 plans.insert(0, Arc::clone(lu.plan()));
-                plans.truncate(KEPT);
+                plans.truncate(most_plans(&self.pattern));
                 Some(Factors::Kept(lu))
             }
             None => {

@@ -40,6 +40,17 @@ const LARGEST_GROWTH: f64 = 1e10;
 /// matrix has become singular, or needs other pivots.
 const SHRUNK: f64 = 0.1;
 
+/// Smallest and largest number of stored plans: a factorization by a plan takes a fiftieth of the time
+/// of a choice of pivots.
+const PLANS: [usize; 2] = [4, 16];
+/// Entries of all matrices up to which more than the smallest number of plans is stored.
+const STORED: usize = 1_000_000;
+
+/// Number of plans that a solver stores for matrices on a pattern.
+pub(crate) fn most_plans(pattern: &Pattern) -> usize {
+    (STORED / pattern.entries().max(1)).clamp(PLANS[0], PLANS[1])
+}
+
 /// All choices and patterns found once, for one matrix, and reused for others.
 #[derive(Debug)]
 pub(crate) struct Plan {

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::linear::KEPT;
-use super::lu::{Lu, Plan};
+use super::lu::{Lu, Plan, most_plans};
 use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
@@ -37,7 +36,7 @@ pub struct LinearCounts {
 ///
 /// Pivots are kept from matrix to matrix while the factors do not grow and solutions satisfy
 /// their equations. Otherwise the other pivots of the last few choices are tried, since matrices
-/// recur, as those of a rotor do in each revolution; then new ones are chosen, and if these fail
+/// recur, as the matrices of a rotor in each revolution; then new ones are chosen, and if these fail
 /// too, the general factorization is used, which chooses pivots for every matrix. Nothing is
 /// allocated while pivots are kept.
 ///
@@ -227,7 +226,7 @@ impl StepSolver {
                     .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
                 self.ordered.resize(buffer_len, 0.0);
                 self.plans.insert(0, Arc::clone(lu.plan()));
-                self.plans.truncate(KEPT);
+                self.plans.truncate(most_plans(self.matrix.pattern()));
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,

@@ -130,6 +130,35 @@ fn rectangles() {
     }
 }
 
+/// A rectangle without Poisson's ratio has the shear stiffness 5/6 G A exactly, in both directions
+/// (Timoshenko & Goodier: parabolic stress over the height, constant over the width). Estimate over
+/// error, with one, two and four cells through the height:
+///
+/// - 1.26, 1.26, 1.32 for the quadrilaterals of 4 nodes, about the same for triangles of 3 (one
+///   linear cell through the height is as stiff as a quadratic one, see `discretization_error`),
+/// - 1.24 to 1.27 for the quadratic cells.
+///
+/// The factor f is 4/3; the bounds are an eighth less and a twentieth more, for a second analysis
+/// that still has an eighth of the error.
+#[test]
+fn shear_of_rectangles_with_few_cells_through_the_height() {
+    for kind in CellKind::ALL {
+        for n in [1, 2, 4] {
+            let mesh = rectangle(2.0, 1.0, [2 * n, n], kind);
+            let section = uniform(&mesh, isotropic(1.0, 0.0), 0.0);
+            let found = solved(&section).stiffness;
+            let estimate = discretization_error(&section, &found).expect("a second analysis");
+            for i in [1, 2] {
+                let exact = 2.0 * 0.5 * 5.0 / 6.0;
+                let error = found[(i, i)] - exact;
+                let ratio = estimate.stiffness[(i, i)] / error;
+                println!("{kind:?}, {n}: K{0}{0}, {error:.1e}, {ratio:.3}", i + 1);
+                assert!(ratio > 1.15 && ratio < 1.4, "{kind:?}, {n}, {i}: {ratio}");
+            }
+        }
+    }
+}
+
 /// An outline that stays as it is: of parabolas, or of straight sides with linear cells.
 #[test]
 fn ellipses() {

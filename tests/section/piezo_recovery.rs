@@ -142,6 +142,27 @@ fn all_points(
 /// Fields that the cells represent exactly: round-off times a condition of about 1e3.
 const EXACT: f64 = 1e-11;
 
+/// Without d15 and d24 a field across the poling has no stress, and its round-off is no error.
+#[test]
+fn a_field_across_the_poling_strains_nothing() {
+    let (mut section, Constants { d, epsT, .. }) = (layer([4, 3]), constants());
+    let d = Matrix3x6::from_fn(|i, j| if i == 2 && j < 3 { d[i][j] } else { 0.0 });
+    let ElasticLaw::Full(c) = section.materials[0].law.clone() else {
+        panic!("a full law");
+    };
+    let along = d.norm() * c.norm() * 150.0 / HEIGHT;
+    let electric = ElectricLaw::of_strains(&d, &Matrix3::from_fn(|i, j| epsT[i][j]), &c);
+    section.materials[0].electric = Some(electric);
+    for cell in &mut section.cells {
+        cell.plane_angle = std::f64::consts::FRAC_PI_2;
+    }
+    let load = load(Vector6::zeros(), &[("top", 150.0)]);
+    let points = recovered(&section, &solved(&section), &load).points;
+    let sizes = points.iter().map(|point| point.tensors.stress.amax());
+    let stress = sizes.fold(0.0, f64::max);
+    assert!(stress < EXACT * along, "{stress:e} {along:e}");
+}
+
 /// The field is V/h, and the stress is zero.
 #[test]
 fn a_free_layer_under_voltage() {

@@ -82,7 +82,7 @@ impl StaticFailure {
                 "use more elements where the beam bends, or look for the load that is too large"
             }
             Self::Path(PathEnd::Stuck { .. }) => {
-                "look at the last equilibrium; smaller \"steps\" or arc_length = true may help"
+                "look at the last equilibrium, and at the size of the loads beside the stiffness; smaller \"steps\" or arc_length = true may help"
             }
             Self::Base(_) | Self::Path(PathEnd::Free { .. }) => {
                 "constrain the free motion, or remove the load that nothing carries"

@@ -4,7 +4,7 @@
 //! (properties are chosen so) give about 1e-9 of the largest entry; 2e-8 allows for the third
 //! derivatives.
 
-use nalgebra::{DMatrix, Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use shared_geom::rotation::parameters::Parametrization;
 use shared_geom::rotation::{gibbs, vector};
 use shared_geom::section::CubicTable;
@@ -23,17 +23,18 @@ use super::springs::{
     End, Measure, Rod, Spring, SpringLaw, SupportFrame, SupportLaw, SupportSpring,
 };
 use super::{Element, Local, LocalJacobian, LocalResidual, LocalSize, Queries, Signal};
-use crate::model::{
-    Conditions, Drive, Loading, NODE_UNKNOWNS, Node, NodeMotion, Scalars, TurningFrame, Variable,
-};
+use crate::model::{Conditions, Drive, Loading, Node, NodeMotion, Scalars, TurningFrame, Variable};
 
 mod control;
+mod differences;
 mod driven;
 mod energies;
 mod piezo;
 mod readings;
 mod sensing;
 mod strips;
+
+use differences::differences;
 
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 2e-8;
@@ -253,58 +254,6 @@ fn check_factor(element: &dyn Element, motion: &[NodeMotion], own: &Own, conditi
     let exact = evaluate(0.0, true);
     let error = (&exact - difference).amax() / exact.amax().max(1.0);
     assert!(error < TOLERANCE, "{}: {error:e}", element.label());
-}
-
-/// Derivatives by unknowns and by rates, by central differences.
-fn differences(
-    element: &dyn Element,
-    motion: &[NodeMotion],
-    own: &Own,
-    conditions: &Conditions,
-) -> [DMatrix<f64>; 2] {
-    let residual = |nodes: &[NodeMotion], own: &Own| {
-        let mut out = LocalResidual::new(LocalSize::of(element));
-        element.residual(&own.seen(nodes, conditions), &mut out);
-        nalgebra::DVector::from_column_slice(out.values())
-    };
-    let first = NODE_UNKNOWNS * motion.len();
-    let n = LocalSize::of(element).rows();
-    let mut by = [DMatrix::zeros(n, n), DMatrix::zeros(n, n)];
-    for node in 0..motion.len() {
-        for (variable, axis) in Variable::ALL
-            .into_iter()
-            .flat_map(|v| (0..3).map(move |a| (v, a)))
-        {
-            let at = |step: f64| {
-                let mut nodes = motion.to_vec();
-                vary(&mut nodes[node], variable, axis, step);
-                residual(&nodes, own)
-            };
-            let column = (at(STEP) - at(-STEP)) / (2.0 * STEP);
-            let position = NODE_UNKNOWNS * node + variable.column() + axis;
-            by[usize::from(variable.is_rate())].set_column(position, &column);
-        }
-    }
-    let difference = |vary: &dyn Fn(&mut Own, f64)| {
-        let at = |step: f64| {
-            let mut changed = own.clone();
-            vary(&mut changed, step);
-            residual(motion, &changed)
-        };
-        (at(STEP) - at(-STEP)) / (2.0 * STEP)
-    };
-    for i in 0..own.multipliers.len() {
-        let column = difference(&|own, step| own.multipliers[i] += step);
-        by[0].set_column(first + i, &column);
-    }
-    for k in 0..own.scalars.len() {
-        let position = first + own.multipliers.len() + k;
-        let column = difference(&|own, step| own.scalars[k] += step);
-        by[0].set_column(position, &column);
-        let column = difference(&|own, step| own.scalar_rates[k] += step);
-        by[1].set_column(position, &column);
-    }
-    by
 }
 
 /// Arbitrary attachments, in every formulation.

@@ -227,7 +227,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     }
     if let Some(layup) = layup.as_mut().filter(|_| has_names) {
         layup.remarks = layup.idle_places();
-        for (line, problem) in layup.wrong_places() {
+        let problems = layup.wrong_places().into_iter();
+        for (line, problem) in problems.chain(layup.idle_webs()) {
             document.note(line, &problem);
         }
     }

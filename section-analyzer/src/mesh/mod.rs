@@ -6,6 +6,7 @@
 //! one part, and reports all problems together. [`quality`] measures the shapes of the
 //! cells. [`generate`] makes meshes of simple shapes.
 
+mod alone;
 mod boundary;
 mod checks;
 mod coincident;
@@ -28,6 +29,7 @@ mod section_mesh;
 mod sides;
 mod words;
 
+pub use alone::alone_in_walls;
 pub use curve_sides::{Bank, CurveSide};
 pub use findings::{CellOverlap, DoubledNodes, HangingNode, NarrowGap, Seam};
 pub use laminate::{

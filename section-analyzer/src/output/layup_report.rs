@@ -13,40 +13,41 @@ pub struct LayerRow {
     /// The name of its material.
     pub material: String,
     /// Arcs at which it starts and ends; of a ply of a web, arcs of the web [-].
-    pub arcs: [f64; 2],
-    /// Its thickness \[m\].
-    pub thickness: f64,
+    /// None of a fill.
+    pub arcs: Option<[f64; 2]>,
+    /// Its thickness, none of a fill \[m\].
+    pub thickness: Option<f64>,
     /// Its area as given \[m^2\].
     pub nominal: f64,
     /// The area of its cells \[m^2\].
     pub meshed: f64,
+    /// The part of its area that is cut where both sides meet \[m^2\].
+    pub cut: f64,
 }
 
 /// The layers of a meshed section, then the plies of its webs, then its fills.
 pub fn layer_rows(layup: &Layup, meshed: &LayupMesh) -> Vec<LayerRow> {
     let layers = meshed.section.layers.iter();
-    let layers = layers.map(|layer| (&layer.name, [layer.from, layer.to], layer.thickness));
+    let layers = layers.map(|layer| {
+        let place = ([layer.from, layer.to], layer.thickness);
+        (&layer.name, Some(place))
+    });
     let plies = meshed.section.webs.iter().flat_map(|web| {
         let plies = web.plies.iter();
-        plies.map(|ply| (&ply.name, web.arcs, ply.thickness))
+        plies.map(|ply| (&ply.name, Some((web.arcs, ply.thickness))))
     });
-    let areas = meshed.areas.iter().map(|area| [area.nominal, area.meshed]);
-    // fills have no arcs and no thickness
-    let fills = meshed.section.fills.iter();
-    let fills = fills.map(|fill| (&fill.name, [0.0, 1.0], 0.0));
-    let rows = layers.chain(plies).chain(fills).zip(areas);
-    let row =
-        |((name, arcs, thickness), [nominal, meshed]): ((&String, [f64; 2], f64), [f64; 2])| {
-            LayerRow {
-                layer: name.clone(),
-                material: layup.material_of(name).unwrap_or_default().to_owned(),
-                arcs,
-                thickness,
-                nominal,
-                meshed,
-            }
-        };
-    rows.map(row).collect()
+    let fills = meshed.section.fills.iter().map(|fill| (&fill.name, None));
+    let rows = layers.chain(plies).chain(fills).zip(&meshed.areas);
+    let rows = rows.map(|((name, place), area)| LayerRow {
+        layer: name.clone(),
+        material: layup.material_of(name).unwrap_or_default().to_owned(),
+        arcs: place.map(|place| place.0),
+        thickness: place.map(|place| place.1),
+        nominal: area.nominal,
+        meshed: area.meshed,
+        cut: area.cut,
+    });
+    rows.collect()
 }
 
 /// Layers and webs of a meshed section: arcs, thickness, and areas as given and of the cells.
@@ -78,14 +79,19 @@ fn write_report(
         "layer", "material", "from arc", "to arc", "thickness", "area", "of nominal"
     )?;
     for row in layer_rows(layup, meshed) {
+        let arc = |i: usize| {
+            row.arcs
+                .map_or("-".into(), |arcs| format!("{:.4}", arcs[i]))
+        };
+        let thickness = row.thickness.map(|thickness| thickness / unit);
         writeln!(
             text,
-            "  {:<24} {:<16} {:>9.4} {:>9.4} {:>12.5e} {:>12.5e} {:>9.2}%",
+            "  {:<24} {:<16} {:>9} {:>9} {:>12} {:>12.5e} {:>9.2}%",
             row.layer,
             row.material,
-            row.arcs[0],
-            row.arcs[1],
-            row.thickness / unit,
+            arc(0),
+            arc(1),
+            thickness.map_or("-".into(), |value| format!("{value:.5e}")),
             row.meshed / (unit * unit),
             100.0 * row.meshed / row.nominal
         )?;

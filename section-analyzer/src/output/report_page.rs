@@ -180,8 +180,8 @@ struct Station<'a> {
 struct Layer<'a> {
     name: &'a str,
     material: &'a str,
-    arcs: [f64; 2],
-    thickness: f64,
+    arcs: Option<[f64; 2]>,
+    thickness: Option<f64>,
     nominal: f64,
     meshed: f64,
 }

@@ -165,9 +165,11 @@ impl<'a> ElectricSide<'a> {
         self.part(cell).coupling.transpose() * field
     }
 
-    /// `e' E` of a cell with field: xx yy zz yz xz xy \[Pa\].
-    pub fn stress_of(&self, cell: usize, field: &Vector3<f64>) -> Vector6<f64> {
-        self.part(cell).coupling.tr_mul(field)
+    /// Bound of the stress of a field of this size in a cell with field, in any direction: a
+    /// reference for round-off, not zero where the field and the coupling are at right angles
+    /// \[Pa\].
+    pub fn largest_stress(&self, cell: usize, field: &Vector3<f64>) -> f64 {
+        self.part(cell).coupling.norm() * field.norm()
     }
 
     /// Subtracts the stress of `field` (x y z) from the `tensors` of a cell with field,

@@ -24,8 +24,8 @@ fn errors_are_in_the_file_and_in_the_report() {
 
     let file = json(&workplace, FILE);
     assert_eq!(file["format"], "helicoid section mesh error");
-    // 6 nodes, and 15 of two cells of 9 nodes
-    assert_eq!(file["unknowns"], serde_json::json!([18, 45]));
+    // 6 nodes; alone between two faces, the cells become eight ones of 9 nodes, with 45
+    assert_eq!(file["unknowns"], serde_json::json!([18, 135]));
     let properties = json(&workplace, "results/a.properties.json");
     assert_eq!(file["stiffness"], properties["stiffness"]);
     assert_eq!(file["input"], properties["provenance"]["input_hash"]);
@@ -47,7 +47,7 @@ fn errors_are_in_the_file_and_in_the_report() {
         .split("\nDiscretization error of the stiffness")
         .nth(1);
     let lines: Vec<_> = part.unwrap().lines().take(10).collect();
-    assert_eq!(lines[1], "  (45 unknowns, 2.5 times as many)");
+    assert_eq!(lines[1], "  (135 unknowns, 7.5 times as many)");
     let axial: Vec<_> = lines[3].split_whitespace().collect();
     assert_eq!(axial[..3], ["axial", "0", "(0)"], "{report}");
     let torsion: Vec<_> = lines[6].split_whitespace().collect();

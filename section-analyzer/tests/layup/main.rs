@@ -3,6 +3,7 @@
 #[path = "../../../tests/common/effort.rs"]
 mod effort;
 
+mod absent;
 mod blades;
 mod closed_forms;
 mod edge_webs;
@@ -10,6 +11,7 @@ mod equal;
 mod files;
 mod fills;
 mod keys;
+mod narrow;
 mod prevabs;
 mod prevabs_files;
 mod random;

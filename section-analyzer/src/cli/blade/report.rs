@@ -91,32 +91,43 @@ fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
     cut_of_layers(rows).into_iter().map(remark).collect()
 }
 
-/// Layers whose cells have another area than the layer, with the names of the sections: where both
-/// sides meet, its plies are cut.
+/// Layers whose cells have less area than the layer, with the names of the sections, by the
+/// cause: layers that are cut where both sides meet, and those that the cells do not follow.
 pub(super) fn cut_of_layers<'a>(
     sections: impl Iterator<Item = (&'a str, &'a [LayerRow])>,
 ) -> Vec<(String, Vec<String>)> {
-    let mut worst: Vec<(&str, f64, Vec<String>)> = Vec::new();
+    let mut worst: Vec<(&str, bool, f64, Vec<String>)> = Vec::new();
     for (name, layers) in sections {
         for row in layers {
             let part = 1.0 - row.meshed / row.nominal;
-            if part < CUT {
+            if part.is_nan() || part < CUT {
                 continue;
             }
-            match worst.iter_mut().find(|known| known.0 == row.layer) {
-                Some((_, most, sections)) => {
+            let is_cut = part - row.cut / row.nominal < CUT;
+            let is_it = |known: &&mut (&str, bool, f64, Vec<String>)| {
+                (known.0, known.1) == (row.layer.as_str(), is_cut)
+            };
+            match worst.iter_mut().find(is_it) {
+                Some((_, _, most, sections)) => {
                     *most = most.max(part);
                     sections.push(name.to_owned());
                 }
-                None => worst.push((&row.layer, part, vec![name.to_owned()])),
+                None => worst.push((&row.layer, is_cut, part, vec![name.to_owned()])),
             }
         }
     }
-    let text = |(layer, part, sections): (&str, f64, Vec<String>)| {
+    let text = |(layer, is_cut, part, sections): (&str, bool, f64, Vec<String>)| {
         let percent = short((1000.0 * part).round() / 10.0);
-        let text = format!(
-            "layer \"{layer}\" is cut where both sides meet, by up to {percent} % of its area"
-        );
+        let text = if is_cut {
+            format!(
+                "layer \"{layer}\" is cut where both sides meet, by up to {percent} % of its area"
+            )
+        } else {
+            format!(
+                "layer \"{layer}\" has up to {percent} % less area in its cells than as given, more \
+                 than is cut where both sides meet; a smaller \"size\" in [mesh] may bring it back"
+            )
+        };
         (text, sections)
     };
     worst.into_iter().map(text).collect()

@@ -71,6 +71,10 @@ impl Known {
             })
         };
         let name = name?.0;
+        if web.is_some() && taper.flatten().is_some() && !table.has(&FROM) && !table.has(&TO) {
+            let layer = name.clone();
+            table.note(&TAPER, &LayupFileProblem::RampOfSpar { layer });
+        }
         match stack? {
             Stack::Thickness(thickness) => Some(vec![layer(name, thickness, angle?.0)?]),
             Stack::Plies(ply, angles) => {

@@ -2,7 +2,7 @@
 
 use super::place::{Place, PlaceForm, SIDES};
 use super::problem::{LayupFileProblem, Located};
-use super::{Layup, WrittenFill, WrittenWeb};
+use super::{Layup, WrittenFill, WrittenLayer, WrittenWeb};
 
 /// Points of the contour by their names.
 pub(super) const POINTS: [&str; 4] = ["nose", "leading_edge", "base.suction", "base.pressure"];
@@ -59,6 +59,63 @@ impl Layup {
         let named = self.places.iter();
         all.extend(named.map(|(name, place)| (name.clone(), Found::Place(place))));
         all
+    }
+
+    /// The web under which a layer lies: both of its ends are places of one side of it.
+    pub(super) fn web_under(&self, layer: &WrittenLayer) -> Option<&WrittenWeb> {
+        let known = self.known_places();
+        let [from, to] = [&layer.from, &layer.to].map(|place| self.foot(place, &known));
+        let (web, side) = from?;
+        let (other, other_side) = to?;
+        (web.name == other.name && side == other_side).then_some(web)
+    }
+
+    /// The web and the side of a place that is given by a face of it or its middle.
+    fn foot(&self, place: &Place, known: &[(String, Found<'_>)]) -> Option<(&WrittenWeb, usize)> {
+        let mut place = place;
+        // no circle is longer
+        for _ in 0..=known.len() {
+            let name = place.name()?;
+            for web in &self.webs {
+                let rest = name.strip_prefix(web.name.as_str());
+                let Some(rest) = rest.and_then(|rest| rest.strip_prefix('.')) else {
+                    continue;
+                };
+                let side = SIDES.iter().position(|side| {
+                    let rest = rest.strip_prefix(side);
+                    rest.is_some_and(|rest| matches!(rest, "" | ".fore" | ".aft"))
+                });
+                if let Some(side) = side {
+                    return Some((web, side));
+                }
+            }
+            let (_, found) = known.iter().find(|one| one.0 == name)?;
+            match found {
+                Found::Place(next) => place = next,
+                Found::Face(..) => return None,
+            }
+        }
+        None
+    }
+
+    /// Webs without plies that nothing refers to.
+    pub(super) fn idle_webs(&self) -> Vec<Located> {
+        let names: Vec<&str> = self.all_places().filter_map(Place::name).collect();
+        let is_used = |web: &WrittenWeb| {
+            let is_of_it = |name: &&str| {
+                let rest = name.strip_prefix(web.name.as_str());
+                rest.is_some_and(|rest| rest.starts_with('.'))
+            };
+            let mut fills = self.fills.iter().flat_map(WrittenFill::webs);
+            self.is_of_spar(web) || names.iter().any(is_of_it) || fills.any(|of| of.0 == web.name)
+        };
+        let idle = self.webs.iter();
+        let idle = idle.filter(|web| web.plies.is_empty() && !is_used(web));
+        let problem = |web: &WrittenWeb| {
+            let web_name = web.name.clone();
+            (web.line, LayupFileProblem::NoPlies { web: web_name })
+        };
+        idle.map(problem).collect()
     }
 
     /// All places that are given.

@@ -92,6 +92,20 @@ pub enum LayupFileProblem {
         /// The layer.
         layer: String,
     },
+    /// A ramp of a layer that has no ends.
+    #[error(
+        "layer \"{layer}\" continues along its web at both ends, and has a \"taper\" without effect"
+    )]
+    RampOfSpar {
+        /// The layer.
+        layer: String,
+    },
+    /// A web of nothing.
+    #[error("web \"{web}\" has no plies, and no layer continues along it: it is nowhere")]
+    NoPlies {
+        /// The web.
+        web: String,
+    },
     /// Places of a web that are missing or doubled.
     #[error("web \"{web}\": expected \"suction\" and \"pressure\", or \"at\"")]
     WebPlaces {
@@ -187,6 +201,14 @@ impl Explain for LayupFileProblem {
             }
             Self::NoPly { material, .. } => Some(format!(
                 "add ply_thickness to [material.{material}], or give \"thickness\""
+            )),
+            Self::RampOfSpar { .. } => Some(
+                "remove \"taper\", or give \"from\" or \"to\", the end at which the thickness drops"
+                    .into(),
+            ),
+            Self::NoPlies { web } => Some(format!(
+                "give its \"plies\", or web = \"{web}\" in the layers of a spar, or remove it; a \
+                 place without a wall is a [place.NAME]"
             )),
             Self::TrailingEdge => Some(
                 "a wall is a [[web]] with at = \"trailing_edge\", a tab behind a flat base such a web \

@@ -11,6 +11,8 @@ use crate::mesh::generate::layup::{Bound, Fill, Layer, LayupSection, Outline, Sp
 pub(super) const ABSENT: f64 = 1e-6;
 /// Width below which a layer is absent \[m\].
 const NARROW: f64 = 1e-3;
+/// Part of the contour below which the width of a layer is none.
+const NO_WIDTH: f64 = 1.01e-4;
 
 /// Numbers of the layers that continue along webs, with the webs.
 type Along<'a> = Vec<(&'a str, usize)>;
@@ -55,7 +57,8 @@ impl<'a> Resolver<'a> {
     fn layers(&self) -> Result<(Vec<Layer>, Along<'_>), Located> {
         let mut layers = Vec::new();
         let mut along = Vec::new();
-        for layer in self.layup.layers.iter().filter(|layer| self.has(layer)) {
+        let present = self.layup.layers.iter();
+        for layer in present.filter(|layer| self.has(layer) && !self.lacks_web(layer)) {
             let mut places = Vec::new();
             let from = self.arc(layer.line, &layer.from, &mut places)?;
             let to = self.arc(layer.line, &layer.to, &mut places)?;
@@ -65,7 +68,7 @@ impl<'a> Resolver<'a> {
             let is_between = [&layer.from, &layer.to]
                 .iter()
                 .any(|place| matches!(place.form, PlaceForm::Named(_)));
-            let is_narrow = width < NARROW.min(1e-3 * perimeter);
+            let is_narrow = width < NARROW.min(NO_WIDTH * perimeter);
             if is_narrow && (is_between || width > -NARROW) {
                 continue;
             }
@@ -153,6 +156,22 @@ impl<'a> Resolver<'a> {
     /// Whether a layer is present.
     fn has(&self, layer: &WrittenLayer) -> bool {
         layer.thickness.covers(self.eta) && layer.thickness.at(self.eta) > ABSENT
+    }
+
+    /// Whether the web under which a layer lies does not stand here.
+    fn lacks_web(&self, layer: &WrittenLayer) -> bool {
+        let web = self.layup.web_under(layer);
+        web.is_some_and(|web| !self.stands(web))
+    }
+
+    /// Whether a web is present; one without plies of its own has the plies of a spar, or is a
+    /// plane.
+    fn stands(&self, web: &WrittenWeb) -> bool {
+        let layers = self.layup.layers.iter();
+        let along = layers.filter(|layer| layer.web.as_ref().is_some_and(|of| of.0 == web.name));
+        let mut plies = along.chain(&web.plies).peekable();
+        let is_in = self.eta >= web.range[0] && self.eta <= web.range[1];
+        is_in && (plies.peek().is_none() || plies.any(|ply| self.has(ply)))
     }
 
     /// The part of the contour at a place, and the length of the contour over the chord.

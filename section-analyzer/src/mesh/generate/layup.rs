@@ -22,6 +22,7 @@ mod build;
 mod butt;
 mod column;
 mod fill;
+mod kinks;
 mod line;
 mod mitre;
 mod outline;

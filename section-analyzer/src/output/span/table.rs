@@ -118,8 +118,11 @@ pub fn layers_csv(span: &SolvedSpan<'_>) -> String {
         station.layers.iter().map(|row| {
             let mut cells = vec![exact(station.eta), station.properties.name.clone()];
             cells.extend([row.layer.clone(), row.material.clone()]);
-            let [from, to] = row.arcs;
-            cells.extend([from, to, row.thickness, row.nominal, row.meshed].map(exact));
+            let [from, to] = [0, 1].map(|end| row.arcs.map(|arcs| arcs[end]));
+            let given =
+                [from, to, row.thickness].map(|value| value.map_or_else(String::new, exact));
+            cells.extend(given);
+            cells.extend([row.nominal, row.meshed].map(exact));
             cells
         })
     });

@@ -180,7 +180,7 @@ impl Recoverer<'_> {
             let mut fields = ElectricState::default();
             if has_field {
                 let extra = self.extra_field((electric, load), cell, &point);
-                let held = electric.stress_of(cell, &extra).amax();
+                let held = electric.largest_stress(cell, &extra);
                 load.held.force += point.area * held;
                 load.held.stress = largest(load.held.stress, held);
                 let field = grid.fields[number] * theta + extra;

@@ -14,12 +14,14 @@ const SAMPLES: usize = 2000;
 /// Areas of the layers, of the plies of webs, and of fills.
 pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
     let mut areas: Vec<LayerArea> = Vec::new();
-    let nominal = nominal(wall);
-    for (layer, nominal) in section.layers.iter().zip(nominal) {
+    let (nominal, cut) = nominal(wall);
+    let found = nominal.into_iter().zip(cut);
+    for (layer, (nominal, cut)) in section.layers.iter().zip(found) {
         areas.push(LayerArea {
             name: layer.name.clone(),
             nominal,
             meshed: 0.0,
+            cut,
         });
     }
     let plies = section.webs.iter().flat_map(|web| &web.plies);
@@ -32,6 +34,7 @@ pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<Lay
                 name: name.clone(),
                 nominal: f64::NAN,
                 meshed: 0.0,
+                cut: 0.0,
             }),
     );
     for cell in &mesh.cells {
@@ -73,26 +76,38 @@ pub(super) fn check(areas: &[LayerArea]) -> Result<(), LayupProblem> {
     })
 }
 
-/// Areas of the layers of the shell on the curved surface.
-fn nominal(wall: &Wall) -> Vec<f64> {
+/// Areas of the layers of the shell on the curved surface, and their parts that are cut where both
+/// sides meet.
+fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     let [from, to] = if wall.edge.is_ring() {
         [0.0, wall.outline.perimeter()]
     } else {
         wall.ends
     };
     let mut sums = vec![0.0; wall.stack.len()];
+    let mut cut = sums.clone();
     // the layers of a spar end without a ramp
     let corners = wall.spar.iter().flat_map(|spar| spar.corners);
-    let ends: Vec<f64> = [from].into_iter().chain(corners).chain([to]).collect();
-    for pair in ends.windows(2) {
+    let kinks = wall.stack.kinks().into_iter().map(|kink| kink.s);
+    let inside = corners.chain(kinks).filter(|s| *s > from && *s < to);
+    let mut ends: Vec<f64> = [from, to].into_iter().chain(inside).collect();
+    ends.sort_by(f64::total_cmp);
+    for pair in ends.windows(2).filter(|pair| pair[1] > pair[0]) {
         let count = (SAMPLES as f64 * (pair[1] - pair[0]) / (to - from)).ceil();
         let step = (pair[1] - pair[0]) / count;
         for i in 0..count as usize {
             let s = pair[0] + step * (i as f64 + 0.5);
             let bend = wall.outline.bend(s);
+            let area = |[outer, inner]: [f64; 2]| {
+                (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step
+            };
+            let limit = wall.cut_at(s).unwrap_or(f64::MAX);
             let mut outer = 0.0;
-            for (layer, inner) in wall.stack.depths(s).into_iter().enumerate() {
-                sums[layer] += (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step;
+            for (layer, inner) in wall.stack.given_depths(s).into_iter().enumerate() {
+                sums[layer] += area([outer, inner]);
+                if inner > limit {
+                    cut[layer] += area([outer.max(limit), inner]);
+                }
                 outer = inner;
             }
         }
@@ -108,7 +123,7 @@ fn nominal(wall: &Wall) -> Vec<f64> {
     if let Some(spar) = &wall.spar {
         add_spar(wall, spar, &mut sums);
     }
-    sums
+    (sums, cut)
 }
 
 /// The parts along the web of a spar; each of its mitres takes of both surfaces.

@@ -73,6 +73,17 @@ impl Wall {
         self.leaned(&pair, side, weight)
     }
 
+    /// The depth at which layers are cut, where the layers of both sides meet; `None`
+    /// elsewhere.
+    pub fn cut_at(&self, s: f64) -> Option<f64> {
+        if self.contacts.is_empty() {
+            return None;
+        }
+        let column = self.column(s);
+        let depth = column.depths.last().copied();
+        depth.filter(|_| column.is_closed)
+    }
+
     /// The column of a side of a pair.
     pub fn leaned(&self, pair: &Pair, side: usize, weight: f64) -> Column {
         let s = pair.s[side];

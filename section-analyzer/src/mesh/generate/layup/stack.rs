@@ -4,16 +4,30 @@
 //! centered on it, so that its area is exact and two layers that abut have a constant
 //! total thickness. Layers that end at one place have one ramp.
 
+use super::kinks::{Kink, NEAR};
 use super::types::{Layer, SAME_ARC, Spar};
 
 /// Part of the size of cells within which ends are one place.
 const ONE_PLACE: f64 = 0.1;
-/// Least length of a ramp, in sizes of cells.
+/// Part of the width of a layer by which its ends move at most when they become one place with
+/// others: its area changes by twice this part.
+const MOVED: f64 = 1e-3;
+/// Least length of a ramp if none is given, in sizes of cells.
 const LEAST_RAMP: f64 = 0.15;
+/// Least length of any ramp, in sizes of cells and in widths of the layer.
+const SHORTEST: [f64; 2] = [1e-3, 0.1];
+/// Distance of stations from the end of a ramp, in sizes of cells and in lengths of the ramp: in
+/// the middle between both stations the thickness at the end is off by a quarter of the second,
+/// and the area of the layer by 0.0005 of the ramp.
+const BESIDE: [f64; 2] = [NEAR, 0.06];
+/// Least distance of stations, in sizes of cells.
+const APART: f64 = 1e-5;
 /// Largest part of the width of a layer that one ramp takes.
 const PART_OF_WIDTH: f64 = 0.35;
-/// Part of the contour from the trailing edge within which a layer reaches it.
-const AT_EDGE: f64 = 1e-3;
+/// Parts of the contour and of the width of a layer within which it reaches the trailing edge.
+const AT_EDGE: [f64; 2] = [1e-3, 5e-3];
+/// Part of the contour within which ends are one.
+const SAME: f64 = 1e-9;
 /// Part of its thickness below which a layer is absent.
 const ABSENT: f64 = 0.03;
 
@@ -25,6 +39,7 @@ pub(super) struct Stack {
     is_ring: bool,
     /// Arc lengths of the corners of a spar.
     spar: Option<[f64; 2]>,
+    size: f64,
 }
 
 /// A layer over the arc length.
@@ -40,6 +55,8 @@ struct Course {
     profile: Vec<[f64; 2]>,
     /// Begin and end of the ramps at its start and its end; `None` at a trailing edge.
     ramps: [Option<[f64; 2]>; 2],
+    /// Its width along the contour.
+    width: f64,
 }
 
 /// An end of a layer.
@@ -49,7 +66,10 @@ struct End {
     which: usize,
     at: f64,
     ramp: f64,
-    most: f64,
+    /// Least and largest length of its ramp.
+    limits: [f64; 2],
+    /// The length by which it may be moved.
+    moved: f64,
 }
 
 impl Stack {
@@ -68,16 +88,13 @@ impl Stack {
         };
         let mut courses: Vec<Course> = layers.iter().enumerate().map(course).collect();
         let mut ends: Vec<End> = Vec::new();
-        let margin = AT_EDGE * perimeter;
         for (index, layer) in layers.iter().enumerate() {
             let [from, to] = [layer.from, layer.to].map(|arc| arc * perimeter);
-            let (low, high) = if is_ring {
-                (margin, perimeter - margin)
-            } else {
-                (edges[0] + margin, edges[1] - margin)
-            };
-            let reaches = [from < low, to > high];
-            if reaches[0] && reaches[1] {
+            let width = to - from;
+            let margin = (AT_EDGE[0] * perimeter).min(AT_EDGE[1] * width);
+            let [low, high] = if is_ring { [0.0, perimeter] } else { edges };
+            let reaches = [from < low + margin, to > high - margin];
+            if reaches == [true; 2] {
                 continue;
             }
             let usual = layer.thickness.clamp(LEAST_RAMP * size, size);
@@ -92,13 +109,20 @@ impl Stack {
                 }
                 let seam_at = [0.0, perimeter][which];
                 let is_seam = reaches[which];
-                let most = PART_OF_WIDTH * (to - from);
+                let room = match (is_seam, is_ring) {
+                    (true, _) => seam,
+                    (false, true) => f64::INFINITY,
+                    // a ramp that ends at the end of the side
+                    (false, false) => 2.0 * (at - edges[0]).min(edges[1] - at),
+                };
+                let most = room.min(PART_OF_WIDTH * width);
                 ends.push(End {
                     layer: index,
                     which,
                     at: if is_seam { seam_at } else { at },
                     ramp,
-                    most: if is_seam { most.min(seam) } else { most },
+                    limits: [(SHORTEST[0] * size).min(SHORTEST[1] * width), most],
+                    moved: (ONE_PLACE * size).min(MOVED * width).max(SAME * perimeter),
                 });
             }
         }
@@ -108,6 +132,7 @@ impl Stack {
             perimeter,
             is_ring,
             spar: None,
+            size,
         }
     }
 
@@ -141,8 +166,18 @@ impl Stack {
         self.courses[layer].thickness
     }
 
-    /// Thickness of a layer at an arc length.
+    /// Thickness of the cells of a layer at an arc length: a thin end has none.
     pub fn thickness(&self, layer: usize, s: f64) -> f64 {
+        let given = self.given(layer, s);
+        if given < ABSENT * self.courses[layer].thickness {
+            0.0
+        } else {
+            given
+        }
+    }
+
+    /// Thickness of a layer at an arc length as given.
+    fn given(&self, layer: usize, s: f64) -> f64 {
         let course = &self.courses[layer];
         let is_behind = |[from, to]: [f64; 2]| s < from || s > to;
         if course.is_inside && self.spar.is_some_and(is_behind) {
@@ -157,11 +192,17 @@ impl Stack {
         } else {
             course.part(s)
         };
-        if part < ABSENT {
-            0.0
-        } else {
-            part * course.thickness
-        }
+        part * course.thickness
+    }
+
+    /// Depths of the inner faces of the layers at an arc length as given, the outermost first.
+    pub fn given_depths(&self, s: f64) -> Vec<f64> {
+        let mut depth = 0.0;
+        let inner = |layer| {
+            depth += self.given(layer, s);
+            depth
+        };
+        (0..self.len()).map(inner).collect()
     }
 
     /// Depths of the inner faces of the layers at an arc length, the outermost first.
@@ -191,23 +232,28 @@ impl Stack {
         self.name(found.unwrap_or(0))
     }
 
-    /// Ends of all ramps, from 0 to the length of the contour.
-    pub fn marks(&self) -> Vec<f64> {
-        let ramps = self.courses.iter().flat_map(|course| course.ramps);
-        let corners = self.courses.iter().flat_map(|course| &course.profile);
-        let ends = ramps.flatten().flatten().chain(corners.map(|one| one[0]));
-        let mut marks: Vec<f64> = ends
-            .map(|s| {
-                if self.is_ring {
-                    s.rem_euclid(self.perimeter)
-                } else {
-                    s
-                }
-            })
-            .collect();
-        marks.sort_by(f64::total_cmp);
-        marks.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * self.perimeter);
-        marks
+    /// Ends of all ramps and corners of profiles, from 0 to the length of the contour, the
+    /// nearest to their stations first.
+    pub fn kinks(&self) -> Vec<Kink> {
+        let all = self.courses.iter();
+        let mut kinks: Vec<Kink> = all.flat_map(|course| course.kinks(self.size)).collect();
+        if self.is_ring {
+            for kink in &mut kinks {
+                kink.s = kink.s.rem_euclid(self.perimeter);
+            }
+        }
+        kinks.sort_by(|a, b| a.s.total_cmp(&b.s).then(a.near.total_cmp(&b.near)));
+        kinks.dedup_by(|later, first| {
+            let is_same = later.s - first.s < SAME * self.perimeter;
+            first.near = if is_same {
+                first.near.min(later.near)
+            } else {
+                first.near
+            };
+            is_same
+        });
+        kinks.sort_by(|a, b| a.near.total_cmp(&b.near));
+        kinks
     }
 }
 
@@ -221,7 +267,25 @@ impl Course {
             is_inside,
             profile: profile(layer, perimeter),
             ramps: [None; 2],
+            width: (layer.to - layer.from) * perimeter,
         }
+    }
+
+    /// The ends of its ramps and the corners of its profile.
+    fn kinks(&self, size: f64) -> Vec<Kink> {
+        let kink = |s: f64, length: f64| {
+            let near = (BESIDE[0] * size).min(BESIDE[1] * length);
+            let near = near.max(APART * size);
+            Kink { s, near }
+        };
+        let ramps = self.ramps.into_iter().flatten();
+        let mut all: Vec<Kink> = ramps
+            .flat_map(|[low, high]| [low, high].map(|s| kink(s, high - low)))
+            .collect();
+        let steps = self.profile.windows(2).map(|pair| pair[1][0] - pair[0][0]);
+        let shortest = steps.fold(f64::INFINITY, f64::min) * self.width;
+        all.extend(self.profile.iter().map(|one| kink(one[0], shortest)));
+        all
     }
 
     /// Part of the thickness at an arc length.
@@ -269,17 +333,23 @@ fn place(courses: &mut [Course], mut ends: Vec<End>, perimeter: f64, size: f64) 
     ends.sort_by(|a, b| seam(a).total_cmp(&seam(b)));
     let mut rest = ends.as_slice();
     while let Some(first) = rest.first() {
-        let reach = seam(first) + ONE_PLACE * size;
-        let count = rest.partition_point(|end| seam(end) <= reach);
-        let (group, after) = rest.split_at(count.max(1));
+        let mut reach = first.moved;
+        let mut count = 1;
+        while let Some(end) = rest.get(count) {
+            reach = reach.min(end.moved);
+            if seam(end) - seam(first) > reach {
+                break;
+            }
+            count += 1;
+        }
+        let (group, after) = rest.split_at(count);
         let mean = group.iter().map(seam).sum::<f64>() / group.len() as f64;
-        let longest = group.iter().map(|end| end.ramp).fold(0.0, f64::max);
-        let most = group
-            .iter()
-            .map(|end| end.most)
-            .fold(f64::INFINITY, f64::min);
+        let of = |value: fn(&End) -> f64| group.iter().map(value);
+        let longest = of(|end| end.ramp).fold(0.0, f64::max);
+        let least = of(|end| end.limits[0]).fold(f64::INFINITY, f64::min);
+        let most = of(|end| end.limits[1]).fold(f64::INFINITY, f64::min);
         // without a base a seam has no length
-        let half = (0.5 * longest.min(most)).max(1e-6 * size);
+        let half = (0.5 * longest.max(least).min(most)).max(1e-6 * size);
         for end in group {
             let at = if end.at >= perimeter { perimeter } else { mean };
             courses[end.layer].ramps[end.which] = Some([at - half, at + half]);

@@ -1,13 +1,15 @@
 //! The stations along the contour at which columns of cells stand.
 //!
 //! Fixed stations are the ends, the nose, the corners, the boundaries of webs and, in
-//! pairs, the forks of contacts. The ends of ramps and the places at which layers are cut
-//! are stations unless a fixed one is near. The rest is divided by the length of cells
+//! pairs, the forks of contacts. The ends of ramps are stations, or have one near on both
+//! sides, so that layers have their areas. The places at which layers are cut are stations
+//! unless a fixed one is near. The rest is divided by the length of cells
 //! and the turn of the surface; between a web's boundaries nothing is divided.
 
+use super::kinks::{NEAR, beside};
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
-use super::webs::{NEAR, Standing};
+use super::webs::Standing;
 
 /// Largest turn of the surface along a cell \[rad\]: 8 degrees.
 const TURN: f64 = 0.14;
@@ -37,7 +39,18 @@ pub(super) struct Stations {
 #[derive(Debug, Clone, Copy)]
 struct Mark {
     at: f64,
-    is_fixed: bool,
+    kind: Kind,
+}
+
+/// Kind of a mark.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    /// It is a station.
+    Fixed,
+    /// It is a station, or has one on both sides within this distance.
+    Kink(f64),
+    /// It is a station unless another is near.
+    Soft,
 }
 
 /// The stations of a wall with its webs.
@@ -69,14 +82,17 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
             fixed.push(single(s));
         }
     }
-    let near = NEAR * wall.size;
     let mut all = fixed.clone();
-    for s in wall.stack.marks() {
-        let is_free = zone_of(wall, s).is_none() && !is_under(webs, s, 0.0);
-        let is_apart = all.iter().all(|known| apart(wall, known.s, s) > near);
-        if is_free && is_apart && is_inside(wall, s) {
-            all.push(single(s));
+    for kink in wall.stack.kinks() {
+        let is_free = |s| zone_of(wall, s).is_none() && !is_under(webs, s, 0.0);
+        if !is_free(kink.s) || !is_inside(wall, kink.s) {
+            continue;
         }
+        let known = all.iter().map(|known| from_to(wall, kink.s, known.s));
+        let by = beside(known, kink.near, same);
+        let s = by.map(|by| turned(wall, kink.s + by));
+        let s = s.filter(|s| is_free(*s) && is_inside(wall, *s));
+        all.extend(s.map(single));
     }
     all.sort_by(|a, b| a.s.total_cmp(&b.s));
     if wall.edge.is_ring() {
@@ -96,12 +112,22 @@ fn is_inside(wall: &Wall, s: f64) -> bool {
     wall.edge.is_ring() || (s > wall.ends[0] && s < wall.ends[1])
 }
 
-fn apart(wall: &Wall, a: f64, b: f64) -> f64 {
-    let distance = (a - b).abs();
+/// Length along the contour from one point to another; on a ring the shorter one.
+fn from_to(wall: &Wall, a: f64, b: f64) -> f64 {
+    let perimeter = wall.outline.perimeter();
     if wall.edge.is_ring() {
-        distance.min(wall.outline.perimeter() - distance)
+        (b - a + 0.5 * perimeter).rem_euclid(perimeter) - 0.5 * perimeter
     } else {
-        distance
+        b - a
+    }
+}
+
+/// The arc length of a point of a ring, from 0 to the length of the contour.
+fn turned(wall: &Wall, s: f64) -> f64 {
+    if wall.edge.is_ring() {
+        s.rem_euclid(wall.outline.perimeter())
+    } else {
+        s
     }
 }
 
@@ -137,57 +163,61 @@ fn is_under(webs: &[Standing], s: f64, near: f64) -> bool {
 fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark> {
     let mut marks = Vec::new();
     let is_in = |x: f64| x >= from && x <= to;
-    let mark = |at: f64, is_fixed: bool| Mark { at, is_fixed };
+    let mark = |at: f64, kind: Kind| Mark { at, kind };
     for contact in wall.contacts.iter().filter(|one| is_in(one[0])) {
-        marks.extend(contact.map(|x| mark(x, true)));
+        marks.extend(contact.map(|x| mark(x, Kind::Fixed)));
         marks.extend(
             wall.pairs
                 .cuts(&wall.stack, *contact)
                 .into_iter()
-                .map(|x| mark(x, false)),
+                .map(|x| mark(x, Kind::Soft)),
         );
     }
-    let ramps = wall
-        .stack
-        .marks()
-        .into_iter()
-        .filter(|s| zone_of(wall, *s).is_some());
-    for s in ramps {
-        let one = mark(wall.pairs.x(side(wall, s), s), false);
+    let kinks = wall.stack.kinks();
+    let kinks = kinks.iter().filter(|kink| zone_of(wall, kink.s).is_some());
+    for kink in kinks {
+        let at = wall.pairs.x(side(wall, kink.s), kink.s);
+        let one = mark(at, Kind::Kink(kink.near / wall.pairs.scale()));
         marks.extend(Some(one).filter(|one| is_in(one.at)));
     }
-    marks.extend([mark(from, false), mark(to, to >= 1.0)]);
+    let last = if to >= 1.0 { Kind::Fixed } else { Kind::Soft };
+    marks.extend([mark(from, Kind::Soft), mark(to, last)]);
     let scale = wall.size / wall.pairs.scale();
     let mut marks = divided_zone(wall, &thinned(marks, NEAR * scale));
-    let near = NEAR * wall.size;
     let is_free = |mark: &Mark| {
+        let near = match mark.kind {
+            Kind::Fixed => return true,
+            Kind::Kink(near) => near * wall.pairs.scale(),
+            Kind::Soft => NEAR * wall.size,
+        };
         let mut places = (0..2).map(|side| wall.pairs.at(side, mark.at));
-        mark.is_fixed || !places.any(|s| is_under(webs, s, near))
+        !places.any(|s| is_under(webs, s, near))
     };
     marks.retain(is_free);
     marks
 }
 
 /// Marks in order, without soft ones near others, and without doubled ones.
-fn thinned(mut marks: Vec<Mark>, near: f64) -> Vec<Mark> {
-    marks.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let fixed: Vec<f64> = marks
-        .iter()
-        .filter(|mark| mark.is_fixed)
-        .map(|mark| mark.at)
-        .collect();
+fn thinned(marks: Vec<Mark>, near: f64) -> Vec<Mark> {
+    const SAME: f64 = 1e-10;
     let mut kept: Vec<Mark> = Vec::new();
-    for mark in marks {
-        let last = kept.last().map_or(f64::NEG_INFINITY, |last| last.at);
-        let is_apart = if mark.is_fixed {
-            mark.at - last > 1e-10
-        } else {
-            mark.at - last > near && fixed.iter().all(|at| (at - mark.at).abs() > near)
+    let of = |is_kind: fn(&Mark) -> bool| marks.iter().copied().filter(is_kind);
+    let fixed = of(|mark| mark.kind == Kind::Fixed);
+    let kinks = of(|mark| matches!(mark.kind, Kind::Kink(_)));
+    let soft = of(|mark| mark.kind == Kind::Soft);
+    for mark in fixed.chain(kinks).chain(soft) {
+        let known = kept.iter().map(|known| known.at - mark.at);
+        let by = match mark.kind {
+            Kind::Fixed => known.map(f64::abs).all(|other| other > SAME).then_some(0.0),
+            Kind::Kink(near) => beside(known, near, SAME),
+            Kind::Soft => known.map(f64::abs).all(|other| other > near).then_some(0.0),
         };
-        if is_apart {
-            kept.push(mark);
-        }
+        kept.extend(by.map(|by| Mark {
+            at: mark.at + by,
+            ..mark
+        }));
     }
+    kept.sort_by(|a, b| a.at.total_cmp(&b.at));
     kept
 }
 
@@ -201,7 +231,7 @@ fn divided_zone(wall: &Wall, marks: &[Mark]) -> Vec<Mark> {
         let cells = (length(0).max(length(1)) / wall.size).ceil().max(1.0);
         all.extend((1..cells as usize).map(|i| Mark {
             at: from + (to - from) * i as f64 / cells,
-            is_fixed: false,
+            kind: Kind::Soft,
         }));
     }
     all.extend(marks.last());

@@ -149,6 +149,9 @@ pub struct LayerArea {
     pub nominal: f64,
     /// Area of its cells [unit of the mesh^2].
     pub meshed: f64,
+    /// The part of its area that is cut where the layers of both sides meet
+    /// [unit of the mesh^2].
+    pub cut: f64,
 }
 
 /// Checks names, numbers and arcs.

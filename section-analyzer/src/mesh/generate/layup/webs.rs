@@ -9,6 +9,7 @@
 //!
 //! are nodes of the web, so that web and wall share their nodes.
 
+use super::kinks::beside;
 use super::line::Line;
 use super::problem::{LayupProblem, Upright};
 use super::spar::SIDES;
@@ -19,8 +20,6 @@ use super::wall::{Edge, Wall};
 const SAMPLES: usize = 240;
 /// Part of the size of cells that a column of a web is wide at most.
 const WIDEST: f64 = 0.6;
-/// Part of the size of cells within which boundaries of cells are one.
-pub(super) const NEAR: f64 = 0.03;
 
 /// A web, or a line that bounds a fill, on the inner faces.
 #[derive(Debug, Clone)]
@@ -204,23 +203,23 @@ impl Search<'_> {
 
     /// Offsets of the ends of ramps under the feet, which become boundaries.
     fn added(&self, standing: &Standing, offsets: &[f64]) -> Vec<f64> {
-        let near = NEAR * self.wall.size;
+        let same = 1e-10 * self.wall.outline.perimeter();
         let mut added: Vec<f64> = Vec::new();
         for side in 0..2 {
             let [low, high] = standing.range(side);
             let inside = self
                 .wall
                 .stack
-                .marks()
+                .kinks()
                 .into_iter()
-                .filter(|s| *s > low && *s < high);
-            for s in inside {
-                let offset = self.offset(self.wall.column(s).inner());
-                let within = offset < offsets[0] && offset > offsets[offsets.len() - 1];
-                let mut known = offsets.iter().chain(&added);
-                if within && known.all(|other| (other - offset).abs() > near) {
-                    added.push(offset);
-                }
+                .filter(|kink| kink.s > low && kink.s < high);
+            for kink in inside {
+                let offset = self.offset(self.wall.column(kink.s).inner());
+                let is_within =
+                    |offset: &f64| *offset < offsets[0] && *offset > offsets[offsets.len() - 1];
+                let known = offsets.iter().chain(&added).map(|other| other - offset);
+                let by = beside(known, kink.near, same).filter(|_| is_within(&offset));
+                added.extend(by.map(|by| offset + by).filter(is_within));
             }
         }
         added
