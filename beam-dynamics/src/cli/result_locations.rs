@@ -8,7 +8,7 @@ use shared_geom::run_lock::RunLock;
 
 use super::WRONG_INPUT;
 use super::arguments::Results;
-use super::terminal::Terminal;
+use super::terminal::{Message, Terminal};
 use crate::input;
 use crate::output::ResultLocation;
 
@@ -76,8 +76,8 @@ fn location(file: &Path, results: &Results) -> ResultLocation {
 }
 
 /// Does the work of a command that writes results to `location`, in its folder, which is made, and as
-/// the only run of the command there; returns the exit code. A folder that is then still empty
-/// does not stay.
+/// the only run of the command there; returns the exit code. Results of an earlier run that are then
+/// removed are listed. A folder that is then still empty does not stay.
 pub(super) fn in_folder(
     location: &ResultLocation,
     command: &str,
@@ -89,7 +89,12 @@ pub(super) fn in_folder(
     let lock = make_folder(folder)
         .and_then(|()| RunLock::new(&folder.join(format!("{name}.{command}.lock"))));
     let code = match lock {
-        Ok(_lock) => work(terminal),
+        Ok(_lock) => {
+            let earlier = results_at(location);
+            let code = work(terminal);
+            list_removed(&earlier, terminal);
+            code
+        }
         Err(problem) => {
             terminal.report(&problem);
             WRONG_INPUT
@@ -100,6 +105,40 @@ pub(super) fn in_folder(
         let _ = std::fs::remove_dir(folder);
     }
     code
+}
+
+/// The files and folders `NAME.*` of results, in order.
+fn results_at(location: &ResultLocation) -> Vec<PathBuf> {
+    /// Endings of files that exist only during a run.
+    const OF_RUNS: [&str; 2] = [".lock", ".part"];
+    let begin = format!("{}.", location.name);
+    let is_result = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with(&begin) && !OF_RUNS.iter().any(|ending| name.ends_with(ending))
+    };
+    let entries = std::fs::read_dir(&location.folder);
+    let entries = entries.into_iter().flatten().flatten();
+    let paths = entries.map(|entry| entry.path());
+    let mut found: Vec<_> = paths.filter(is_result).collect();
+    found.sort();
+    found
+}
+
+/// Lists the `earlier` results that no longer exist, on the error stream if nothing else is
+/// shown.
+fn list_removed(earlier: &[PathBuf], terminal: &mut Terminal<'_>) {
+    let removed: Vec<_> = earlier.iter().filter(|path| !path.exists()).collect();
+    if removed.is_empty() {
+        return;
+    }
+    terminal.show("\nRemoved: results of an earlier run\n");
+    for path in removed {
+        let path = path.display();
+        terminal.show(&format!("  {path}\n"));
+        terminal.take(Message::Remark(format!(
+            "removed: {path}, of an earlier run"
+        )));
+    }
 }
 
 #[cfg(test)]

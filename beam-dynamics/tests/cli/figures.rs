@@ -62,10 +62,12 @@ fn a_run_without_figures_writes_all_else() {
         assert_eq!(count, figures, "{command}: {:?}", drawn.keys());
 
         let shown = run(&[&more[..], &["--no-figures"]].concat());
+        let (shown, removed) = shown.split_once("\nRemoved: results of").unwrap();
         assert!(
             !shown.contains(".png") && !shown.contains(".svg"),
             "{shown}"
         );
+        assert_eq!(removed.lines().count(), 1 + figures, "{removed}");
         assert!(!shown.contains("fan plot"), "{shown}");
         let bare = contents(&folder, "results");
         let left = drawn.iter().filter(|(path, _)| !is_figure(path));

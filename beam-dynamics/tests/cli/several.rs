@@ -243,3 +243,26 @@ fn two_runs_of_a_command_in_one_folder_are_refused() {
         assert_eq!((run.code, lock.exists()), (0, false), "{}", run.err);
     }
 }
+
+/// Results that a run removes are listed, without a report on the error stream.
+#[test]
+fn removed_results_are_listed() {
+    const FIGURES: [&str; 2] = ["results/a.path.png", "results/a.path.svg"];
+    let folder = Folder::new();
+    folder.write(FILES[0], &format!("{ARCH}[static]\nto = 0.1\n"));
+    let bare = ["static", FILES[0], "--no-figures"];
+    let quiet = [&bare[..], &["-q"]].concat();
+    for arguments in [&bare[..], &quiet] {
+        assert_eq!(folder.run(&["static", FILES[0]]).code, 0);
+        let run = folder.run(arguments);
+        let (text, begin, end) = match run.out.is_empty() {
+            true => (&run.err, "removed: ", ", of an earlier run\n"),
+            false => (&run.out, "  ", "\n"),
+        };
+        for figure in FIGURES {
+            assert!(text.contains(&format!("{begin}{figure}{end}")), "{text}");
+        }
+        assert_eq!(run.code, 0);
+        assert!(!folder.run(arguments).err.contains("removed: "));
+    }
+}
