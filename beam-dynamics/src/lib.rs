@@ -50,6 +50,9 @@ pub mod analysis;
 pub mod assembly;
 pub mod case;
 pub mod cli;
+#[cfg(test)]
+#[path = "../../tests/common/effort.rs"]
+mod effort;
 pub mod elements;
 pub mod input;
 pub mod integrator;

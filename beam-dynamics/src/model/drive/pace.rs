@@ -225,6 +225,7 @@ mod tests {
     use shared_geom::expression::{Expression, Names};
 
     use super::*;
+    use crate::effort::cases;
     use crate::model::drive::Formula;
 
     fn uniform(random: &mut Pcg64Mcg, [low, high]: [f64; 2]) -> f64 {
@@ -260,7 +261,7 @@ mod tests {
     #[test]
     fn short_pulses_are_not_stepped_over() {
         let mut random = Pcg64Mcg::seed_from_u64(5);
-        for _ in 0..100 {
+        for _ in 0..cases(30) {
             let width = 10.0_f64.powf(uniform(&mut random, [-5.0, -1.0]));
             let at = uniform(&mut random, [1.0, 9.0]);
             let root = std::f64::consts::PI.sqrt();
