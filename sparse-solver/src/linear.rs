@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use faer::{Mat, c64};
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{Lu, Plan, most_plans};
+use super::lu::{Lu, Plans};
 use super::number::{LANES, Number, Row};
 use crate::pattern::{Pattern, Sparse};
 
@@ -19,7 +19,7 @@ use crate::pattern::{Pattern, Sparse};
 pub struct LinearSolver {
     pattern: Arc<Pattern>,
     /// The stored plans, the latest first.
-    plans: Mutex<Vec<Arc<Plan>>>,
+    plans: Mutex<Plans>,
     general: GeneralSolver,
 }
 
@@ -62,7 +62,7 @@ impl LinearSolver {
         }
     }
 
-    fn plans(&self) -> MutexGuard<'_, Vec<Arc<Plan>>> {
+    fn plans(&self) -> MutexGuard<'_, Plans> {
         self.plans.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -90,9 +90,9 @@ impl LinearSolver {
 
     /// Factors by a stored plan, or by a new one made for this matrix and stored.
     fn factors<T: Number>(&self, values: &[T]) -> Option<Factors<T>> {
-        let kept = self.plans().clone();
-        let by_plan = |plan| Lu::by_plan(plan, values).filter(Lu::is_trusted);
-        if let Some(lu) = kept.iter().find_map(by_plan) {
+        let mut plans = self.plans().clone();
+        if let Some(lu) = plans.factorize(values, None) {
+            *self.plans() = plans;
             return Some(Factors::Kept(lu));
         }
         if values.iter().any(|value| !value.size().is_finite()) {
@@ -100,9 +100,7 @@ impl LinearSolver {
         }
         match Lu::choose(&self.pattern, values).filter(Lu::is_trusted) {
             Some(lu) => {
-                let mut plans = self.plans();
-                plans.insert(0, Arc::clone(lu.plan()));
-                plans.truncate(most_plans(&self.pattern));
+                self.plans().store(lu.plan(), &self.pattern);
                 Some(Factors::Kept(lu))
             }
             None => {

@@ -18,6 +18,7 @@ mod lists;
 mod numbers;
 mod order;
 mod pivots;
+mod plans;
 mod solution;
 mod structure;
 
@@ -27,6 +28,8 @@ use crate::number::{LANES, Number, Row};
 use elimination::Scaled;
 use numbers::Numbers;
 use structure::Structure;
+
+pub(crate) use plans::Plans;
 
 use super::scales::scales;
 use crate::pattern::Pattern;
@@ -39,17 +42,6 @@ const LARGEST_GROWTH: f64 = 1e10;
 /// Ratio to the least pivot at the choice of pivots, below which a pivot is round-off: the
 /// matrix has become singular, or needs other pivots.
 const SHRUNK: f64 = 0.1;
-
-/// Smallest and largest number of stored plans: a factorization by a plan takes a fiftieth of the time
-/// of a choice of pivots.
-const PLANS: [usize; 2] = [4, 16];
-/// Entries of all matrices up to which more than the smallest number of plans is stored.
-const STORED: usize = 1_000_000;
-
-/// Number of plans that a solver stores for matrices on a pattern.
-pub(crate) fn most_plans(pattern: &Pattern) -> usize {
-    (STORED / pattern.entries().max(1)).clamp(PLANS[0], PLANS[1])
-}
 
 /// All choices and patterns found once, for one matrix, and reused for others.
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{Lu, Plan, most_plans};
+use super::lu::{Lu, Plan, Plans};
 use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
@@ -45,8 +45,8 @@ pub struct LinearCounts {
 pub struct StepSolver {
     matrix: Sparse,
     factors: Factors,
-    /// Plans of the last choices, the latest first.
-    plans: Vec<Arc<Plan>>,
+    /// Plans of the last choices.
+    plans: Plans,
     /// Whether a solution with these factors had a negligible residual.
     is_vouched: bool,
     right_side: Vec<f64>,
@@ -92,7 +92,7 @@ impl StepSolver {
         Self {
             matrix: Sparse::zero(Arc::clone(pattern)),
             factors: Factors::None,
-            plans: Vec::new(),
+            plans: Plans::default(),
             is_vouched: false,
             right_side: zeros.clone(),
             residual: Vec::new(),
@@ -153,9 +153,7 @@ impl StepSolver {
 
     /// Factorizes by a stored plan other than `failed`; returns whether one suits.
     fn recall(&mut self, failed: &Arc<Plan>) -> bool {
-        let others = self.plans.iter().filter(|plan| !Arc::ptr_eq(plan, failed));
-        let by_plan = |plan| Lu::by_plan(plan, self.matrix.values()).filter(Lu::is_trusted);
-        let Some(lu) = others.into_iter().find_map(by_plan) else {
+        let Some(lu) = self.plans.factorize(self.matrix.values(), Some(failed)) else {
             return false;
         };
         self.counts.refactorizations += 1;
@@ -225,8 +223,7 @@ impl StepSolver {
                 self.ordered
                     .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
                 self.ordered.resize(buffer_len, 0.0);
-                self.plans.insert(0, Arc::clone(lu.plan()));
-                self.plans.truncate(most_plans(self.matrix.pattern()));
+                self.plans.store(lu.plan(), self.matrix.pattern());
                 self.factors = Factors::Chosen(Box::new(lu));
             }
             None => self.fall_back()?,

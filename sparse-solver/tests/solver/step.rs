@@ -180,6 +180,41 @@ fn pivots_of_matrices_that_recur_are_chosen_once() {
     assert_eq!((counts.pivotings, counts.fallbacks), (2, 0), "{counts:?}");
 }
 
+/// Three pairs of unknowns, each with a diagonal or an antidiagonal, in all eight combinations again and
+/// again: each combination has its own pivots, which are chosen once.
+#[test]
+fn all_recurring_choices_of_pivots_are_stored() {
+    let n = 60;
+    let strong = unsymmetric(n, 8, 20.0);
+    let of = |combination: usize| {
+        let pairs = (0..3).flat_map(|pair| {
+            let diagonal = f64::from(u8::from((combination >> pair) & 1 == 0));
+            let first = n + 2 * pair;
+            let entry = |i: usize, j: usize, value: f64| (first + i, first + j, value);
+            let other = 1.0 - diagonal;
+            let own = [
+                (0, 0, diagonal),
+                (0, 1, other),
+                (1, 0, other),
+                (1, 1, diagonal),
+            ];
+            own.map(|(i, j, value)| entry(i, j, value))
+        });
+        let all: Vec<_> = strong.iter().copied().chain(pairs).collect();
+        matrix(n + 6, &all)
+    };
+    let first = of(0);
+    let mut solver = StepSolver::new(first.pattern());
+    let mut next = first.clone();
+    for step in 0..80 {
+        next.values_mut().copy_from_slice(of(step % 8).values());
+        check(&mut solver, &next, TOLERANCE);
+    }
+    let counts = solver.counts();
+    assert_eq!((counts.pivotings, counts.refactorizations), (8, 72));
+    assert_eq!(counts.fallbacks, 0);
+}
+
 /// The last pivot, 1e-18, counts as zero beside entries of one; the general factorization solves
 /// the system.
 #[test]
