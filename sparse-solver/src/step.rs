@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::general::{GeneralLu, GeneralSolver};
-use super::lu::{Lu, Plan, Plans};
+use super::lu::{Lu, Plans};
 use crate::pattern::{Pattern, Sparse};
 
 /// Ratio to the usual least pivot below which a matrix may be nearly singular.
@@ -134,32 +134,38 @@ impl StepSolver {
     pub fn factorize_written(&mut self) -> Option<()> {
         self.is_vouched = false;
         let last = std::mem::replace(&mut self.factors, Factors::None);
+        let mut failed = None;
         if let Factors::Kept(mut lu) | Factors::Chosen(mut lu) = last {
             if lu.factorize(self.matrix.values()).is_some() {
                 self.counts.refactorizations += 1;
                 self.factors = Factors::Kept(lu);
                 return Some(());
             }
-            if self.is_finite() && self.recall(lu.plan()) {
-                return Some(());
-            }
+            failed = Some(Arc::clone(lu.plan()));
         }
-        if self.is_finite() {
-            self.choose_pivots()
-        } else {
-            None
+        if !self.is_finite() {
+            return None;
+        }
+        let Some(failed) = failed else {
+            return self.choose_pivots();
+        };
+        match self.plans.factorize(self.matrix.values(), Some(&failed)) {
+            Some(lu) => {
+                self.counts.refactorizations += 1;
+                self.make_buffer(&lu);
+                self.factors = Factors::Kept(Box::new(lu));
+                Some(())
+            }
+            None => self.choose_pivots(),
         }
     }
 
-    /// Factorizes by a stored plan other than `failed`; returns whether one suits.
-    fn recall(&mut self, failed: &Arc<Plan>) -> bool {
-        let Some(lu) = self.plans.factorize(self.matrix.values(), Some(failed)) else {
-            return false;
-        };
-        self.counts.refactorizations += 1;
-        self.ordered.resize(lu.plan().buffer_len(), 0.0);
-        self.factors = Factors::Kept(Box::new(lu));
-        true
+    /// Makes the buffer of the solutions long enough.
+    fn make_buffer(&mut self, lu: &Lu<f64>) {
+        let length = lu.plan().buffer_len();
+        self.ordered
+            .reserve_exact(length.saturating_sub(self.ordered.len()));
+        self.ordered.resize(length, 0.0);
     }
 
     /// Whether all entries of the last matrix are finite numbers.
@@ -219,10 +225,7 @@ impl StepSolver {
             Some(lu) => {
                 self.usual_least = self.usual_least.max(lu.least());
                 self.is_vouched = false;
-                let buffer_len = lu.plan().buffer_len();
-                self.ordered
-                    .reserve_exact(buffer_len.saturating_sub(self.ordered.len()));
-                self.ordered.resize(buffer_len, 0.0);
+                self.make_buffer(&lu);
                 self.plans.store(lu.plan(), self.matrix.pattern());
                 self.factors = Factors::Chosen(Box::new(lu));
             }

@@ -100,18 +100,18 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
         .zip(speeds)
         .filter_map(|(point, speed)| {
             let whirl = point.as_ref()?.whirl.filter(Whirl::is_pure)?;
-            Some((whirl, Seen::new(whirl, point.as_ref()?, *speed)))
+            Some(Seen::new(whirl, point.as_ref()?, *speed))
         });
     let pure: Vec<_> = known.collect();
     let named = pure
         .iter()
-        .find(|one| branch.harmonic == Some(one.1.pattern.harmonic));
-    let (of_branch, Seen { pattern, .. }) = *named.or(pure.last())?;
+        .find(|one| branch.harmonic == Some(one.pattern.harmonic));
+    let Seen { whirl, pattern, .. } = *named.or(pure.last())?;
     let whirl_at = |point: &ModePoint, speed: f64| {
         let own = point.whirl.filter(Whirl::is_pure);
-        own.unwrap_or_else(|| match of_branch.blades {
-            0 => nearest(&pure, speed).map_or(of_branch, |near| continued(near, point, speed)),
-            _ => of_branch,
+        own.unwrap_or_else(|| match whirl.blades {
+            0 => nearest(&pure, speed).map_or(whirl, |near| continued(near, point, speed)),
+            _ => whirl,
         })
     };
     let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
@@ -140,6 +140,8 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
 /// A pure pattern in the fixed system, at a speed.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
+    /// In the turning axes.
+    whirl: Whirl,
     /// Speed \[rad/s\].
     speed: f64,
     /// Frequency, negative if the motion runs backward \[Hz\].
@@ -151,6 +153,7 @@ struct Seen {
 impl Seen {
     fn new(whirl: Whirl, point: &ModePoint, speed: f64) -> Self {
         Self {
+            whirl,
             speed,
             pattern: whirl.named(point.frequency, speed / TAU),
             signed: whirl.signed_in_fixed_system(point.frequency, speed / TAU),
@@ -159,16 +162,15 @@ impl Seen {
 }
 
 /// The pure pattern at the speed nearest to another one.
-fn nearest(pure: &[(Whirl, Seen)], speed: f64) -> Option<(Whirl, Seen)> {
-    let off = |one: &&(Whirl, Seen)| (one.1.speed - speed).abs();
-    pure.iter()
-        .min_by(|a, b| off(a).total_cmp(&off(b)))
-        .copied()
+fn nearest(pure: &[Seen], speed: f64) -> Option<&Seen> {
+    let off = |one: &&Seen| (one.speed - speed).abs();
+    pure.iter().min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
 /// The pattern of a shaft at a point without a pure one, as at rest, where both whirls have one
 /// frequency: the direction whose frequency in the fixed system continues `near`.
-fn continued((whirl, near): (Whirl, Seen), point: &ModePoint, speed: f64) -> Whirl {
+fn continued(near: &Seen, point: &ModePoint, speed: f64) -> Whirl {
+    let whirl = near.whirl;
     let turned = Whirl {
         harmonic: -whirl.harmonic,
         ..whirl
