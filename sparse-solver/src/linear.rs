@@ -67,8 +67,11 @@ impl LinearSolver {
     }
 
     /// Factorizes `matrix`; `None` if it is singular or not finite.
+    ///
+    /// # Panics
+    /// If the matrix is on another pattern.
     pub fn factorize(&self, matrix: Sparse) -> Option<Factorization> {
-        debug_assert!(Arc::ptr_eq(&self.pattern, matrix.pattern()));
+        assert!(Arc::ptr_eq(&self.pattern, matrix.pattern()), "two patterns");
         Some(Factorization {
             factors: self.factors(matrix.values())?,
             matrix,

@@ -138,8 +138,11 @@ impl Sparse {
     }
 
     /// `self + factor other`, on the same pattern.
+    ///
+    /// # Panics
+    /// If the patterns differ.
     pub fn plus(&self, factor: f64, other: &Self) -> Self {
-        debug_assert!(Arc::ptr_eq(&self.pattern, &other.pattern));
+        assert!(Arc::ptr_eq(&self.pattern, &other.pattern), "two patterns");
         let values = self.values.iter().zip(&other.values);
         Self {
             pattern: Arc::clone(&self.pattern),
