@@ -458,6 +458,9 @@ fn nearest(kind: &str, found: &str, known: &[String]) -> String {
                 to the frame, and a node with a [[clamp]] is held in it"
             .to_owned();
     }
+    if kind == "drive" && found.contains(['(', '*', '/', '+', '^']) {
+        return format!("an expression begins with =, as in \"= {found}\"");
+    }
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None if known.is_empty() => format!("the file has no {kind}"),

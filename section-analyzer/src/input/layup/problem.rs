@@ -212,6 +212,11 @@ impl Explain for LayupFileProblem {
             Self::Airfoil { .. } => {
                 Some("naca = \"4415\", file = \"airfoil.dat\", or [[shape.airfoils]]".into())
             }
+            Self::OffContour { .. } => Some(
+                "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
+                 along the contour"
+                    .into(),
+            ),
             Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
