@@ -312,13 +312,13 @@ fn modes_of(
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
-    add_remarks(&mut table.remarks, input, failure);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut table.remarks, (input, failure), shown);
     let written = output::write(&table, &input.measured, location).and_then(|mut written| {
         let shapes = output::write_shapes(&input.model, &table, settings.animate, location)?;
         written.files.extend(shapes.files);
         Ok(written)
     });
-    terminal.remark(&location.name, &table.remarks);
     terminal.show(&output::result_text(&table, &input.measured));
     let failure = outcome.failure.map(|failure| {
         let (reached, requested) = (table.speeds.len(), settings.speeds.len());
@@ -331,13 +331,16 @@ fn modes_of(
     finish(failure, written, terminal)
 }
 
-/// Beginning of a remark on the reason of an early end.
-const STOPPED_EARLY: &str = "stopped early: ";
-
-/// Remarks on a result: those on the input first, and the reason of an early end last.
-fn add_remarks(remarks: &mut Vec<String>, input: &Input, failure: Option<&dyn Display>) {
+/// Completes the remarks on the result called `name`, those on the input first, and shows them. The
+/// reason of an early end comes last, and is shown by its own error.
+fn add_remarks(
+    remarks: &mut Vec<String>,
+    (input, failure): (&Input, Option<&dyn Display>),
+    (name, terminal): (&str, &mut Terminal<'_>),
+) {
     remarks.splice(0..0, input.remarks.iter().cloned());
-    remarks.extend(failure.map(|failure| format!("{STOPPED_EARLY}{failure}")));
+    terminal.remark(name, remarks);
+    remarks.extend(failure.map(|failure| format!("stopped early: {failure}")));
 }
 
 /// Reports the failure and the written files; returns the exit code.

@@ -136,6 +136,11 @@ pub trait Element: Debug + Send + Sync {
         f64::INFINITY
     }
 
+    /// Whether its forces may have a kink or a jump over the motion, by a law.
+    fn has_kinks(&self) -> bool {
+        false
+    }
+
     /// Whether it acts on its nodes; a sensor does not.
     fn acts(&self) -> bool {
         true

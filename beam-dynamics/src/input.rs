@@ -352,7 +352,7 @@ fn cards(
     builder.set_drives(drives);
     builder.set_frames(frames::read(&root));
     hub_support::add(&root, &mut builder);
-    let gravity = loads::gravity(&root, &builder);
+    let gravity = loads::gravity(&root, &mut builder);
     let weight = gravity.as_ref().map_or_else(Vector3::zeros, |own| own.0);
     let air = aerodynamics::read(&root, &weight, builder.drives());
     if air.air.is_none() && root.has("air") {

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use shared_geom::error::{Diagnostics, Explain};
+use shared_geom::files::{removed_remarks, removed_text};
 use shared_geom::section::{self, SectionProperties};
+use shared_geom::stream::Stream;
 
 use crate::input::{self, Input};
 use crate::output::Figures;
@@ -28,12 +30,10 @@ mod report;
 mod restored;
 mod schema;
 mod solved;
-mod stream;
 mod strength;
 mod stress;
 
 use arguments::{Arguments, Command};
-use stream::Stream;
 
 /// The work is done.
 const DONE: u8 = 0;
@@ -201,24 +201,12 @@ fn warnings_of(input: &Input) -> Vec<String> {
     warnings.map(ToString::to_string).collect()
 }
 
-/// Lists removed results of an earlier run, with the options that make them: on the error stream
-/// if nothing else is shown.
-fn list_removed(
-    (files, options): (&[PathBuf], &str),
-    terminal: &mut Terminal<'_>,
-) -> Result<(), Stop> {
-    let heading = format!("Removed: results of an earlier run ({options})");
-    if terminal.is_quiet {
-        for file in files {
-            writeln!(
-                terminal.err,
-                "removed: {}, of an earlier run ({options})",
-                file.display()
-            )?;
-        }
-        return Ok(());
+/// Lists `removed` results of an earlier run: on the error stream if nothing else is shown.
+fn list_removed(removed: &[PathBuf], terminal: &mut Terminal<'_>) -> io::Result<()> {
+    if !terminal.is_quiet {
+        return write!(terminal.out, "{}", removed_text(removed));
     }
-    list(&heading, files, terminal)
+    removed_remarks(removed).try_for_each(|text| writeln!(terminal.err, "{text}"))
 }
 
 /// Text of a reported problem, with its remedy.

@@ -241,7 +241,7 @@ impl WrittenSection {
         summary.electrodes = lookup;
         let of_mesh = InputWarning::of_mesh(&report);
         summary.warnings.extend([odd, of_mesh, loose].concat());
-        summary.rate(&section.mesh);
+        summary.rate(&section);
         summary.input_hash = files.hash();
         Some(Input {
             section,

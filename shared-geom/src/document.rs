@@ -34,7 +34,7 @@ mod syntax;
 mod table;
 mod tree;
 
-pub use card::{Card, Content};
+pub use card::{Card, Content, basic_string};
 pub use declare::meaning;
 pub use item::Item;
 pub use key::{ByHand, Declared, Key, Nested, NestedByName, NestedList, Value};
@@ -237,7 +237,12 @@ pub fn read_text(path: &Path) -> Result<String, Diagnostics> {
                 return Diagnostics::one(SourceLocation::file(name), &problem);
             }
             std::io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-            std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+            std::io::ErrorKind::IsADirectory => {
+                let problem = DocumentProblem::Folder {
+                    files: names_beside(&path.join("file")),
+                };
+                return Diagnostics::one(SourceLocation::file(name), &problem);
+            }
             std::io::ErrorKind::InvalidData => "not a text file in UTF-8".to_owned(),
             _ => error.to_string(),
         };

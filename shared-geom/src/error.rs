@@ -259,7 +259,8 @@ impl fmt::Display for Diagnostics {
 impl std::error::Error for Diagnostics {}
 
 /// The name of `known` nearest to `found`, if it is near enough to be a typing error: at
-/// most a third of the letters differ, and not all; or one begins with the other.
+/// most a third of the letters differ, and not all; or one begins with the other; or it is the last
+/// part of a path, as `tip` of `blade/tip`.
 pub fn nearest_name<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = found.to_lowercase();
     known
@@ -336,7 +337,11 @@ fn distance(found: &str, name: &str) -> usize {
     let slips = strsim::damerau_levenshtein(found, name);
     let letters = found.chars().count();
     let beginning: String = name.chars().take(letters).collect();
-    if found.len().min(name.len()) >= 2 && (found.starts_with(name) || name.starts_with(found)) {
+    let is_last_part = name
+        .strip_suffix(found)
+        .is_some_and(|rest| rest.ends_with('/'));
+    let is_beginning = found.starts_with(name) || name.starts_with(found);
+    if found.len().min(name.len()) >= 2 && (is_beginning || is_last_part) {
         slips.min(1)
     } else if letters >= 4 && strsim::damerau_levenshtein(found, &beginning) == 1 {
         slips.min(2)
@@ -478,5 +483,7 @@ mod tests {
         // an error in the letters before an ending
         assert_eq!(nearest_name("frist", ["time", "first_x"]), Some("first_x"));
         assert_eq!(nearest_name("forts", ["time", "first_x"]), None);
+        assert_eq!(nearest_name("Tip", ["b/1", "b/tip"]), Some("b/tip"));
+        assert_eq!(nearest_name("ip", ["b/1", "blade/tip"]), None);
     }
 }

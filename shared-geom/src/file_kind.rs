@@ -16,6 +16,8 @@ pub enum FileKind {
     Layup,
     /// A mesh.
     Mesh,
+    /// A cross-section of VABS or BECAS, which no name shows.
+    Model,
     /// A model of the dynamics.
     Dynamics,
     /// A blade: sections along a line.
@@ -104,7 +106,7 @@ impl FileKind {
     /// A file of another kind, with the program that reads it.
     pub fn require(self, path: &Path, text: &str) -> Result<(), Diagnostics> {
         match Self::of(path, text) {
-            Some(found) if !self.accepts(found) => {
+            Some(found) if !self.accepts(found, text) => {
                 let location = SourceLocation::file(path.display().to_string());
                 let problem = OtherKind {
                     found,
@@ -116,10 +118,14 @@ impl FileKind {
         }
     }
 
-    /// Whether a reader of this kind reads files of another one too: a property file is a uniform
-    /// blade.
-    fn accepts(self, other: Self) -> bool {
-        self == other || (self, other) == (Self::Blade, Self::Properties)
+    /// Whether a reader of this kind reads a file of another one with the content `text` too: a
+    /// property file is a uniform blade, and models have endings of meshes.
+    fn accepts(self, other: Self, text: &str) -> bool {
+        match (self, other) {
+            (Self::Blade, Self::Properties) => true,
+            (Self::Model, Self::Mesh) => first(&HEADS, |head| text.starts_with(head)).is_none(),
+            _ => self == other,
+        }
     }
 
     /// The kind with its article.
@@ -129,6 +135,7 @@ impl FileKind {
             Self::Matrices => "a matrices file",
             Self::Layup => "a layup",
             Self::Mesh => "a mesh",
+            Self::Model => "a section of VABS or BECAS",
             Self::Dynamics => "a dynamics file",
             Self::Blade => "a blade file",
             Self::Rotor => "a rotor file",
@@ -174,6 +181,7 @@ impl Explain for OtherKind {
             (FileKind::Layup, _) => {
                 "use \"section-analyzer blade\", or \"section-analyzer mesh layup\" for one section"
             }
+            (FileKind::Model, _) => "use \"section-analyzer convert\"",
             (FileKind::Mesh, _) => {
                 "name the mesh in a section file, NAME.section.toml, for section-analyzer"
             }
@@ -246,6 +254,10 @@ mod tests {
             let result = expected.require(Path::new(name), text);
             result.unwrap_err().to_string()
         };
+        let shown_model = |name: &str, text: &str| {
+            let result = FileKind::Model.require(Path::new(name), text);
+            result.err().map(|problem| problem.to_string())
+        };
         assert_eq!(
             shown(FileKind::Dynamics, "r.section.toml", ""),
             "error: r.section.toml: this is a section file, expected a dynamics file\n  \
@@ -256,6 +268,12 @@ mod tests {
             "error: b.blade.toml: this is a blade file, expected a section file\n  \
              help: use \"beam-dynamics\", or \"section-analyzer mesh blade\" for the shape of a \
              section"
+        );
+        assert_eq!(shown_model("x.sg", "1 0 0\n"), None);
+        let shown = shown_model("x.msh", "$MeshFormat\n").unwrap();
+        assert!(
+            shown.contains("this is a mesh, expected a section of VABS"),
+            "{shown}"
         );
         let kinds = [
             FileKind::Section,
@@ -274,7 +292,11 @@ mod tests {
         for (ending, own) in ENDINGS.into_iter().chain(meshes) {
             for kind in kinds {
                 let accepted = kind.require(Path::new(&format!("x{ending}")), "");
-                assert_eq!(accepted.is_ok(), kind.accepts(own), "{ending}: {kind:?}");
+                assert_eq!(
+                    accepted.is_ok(),
+                    kind.accepts(own, ""),
+                    "{ending}: {kind:?}"
+                );
             }
         }
     }

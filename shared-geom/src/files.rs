@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use crate::error::{Explain, nearest_name};
 use crate::figure::{Drawing, FigureProblem};
 
+mod earlier;
 mod folder;
 
+pub use earlier::{Earlier, removed_remarks, removed_text};
 pub use folder::MissingFolder;
 
 /// Reason for which results could not be written.

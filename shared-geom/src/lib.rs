@@ -26,6 +26,7 @@ pub mod rotation;
 pub mod run_lock;
 pub mod section;
 pub mod spline;
+pub mod stream;
 pub mod units;
 pub mod vtk;
 pub mod wrench;

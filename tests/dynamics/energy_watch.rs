@@ -190,6 +190,42 @@ fn energy_that_a_formulation_makes_is_the_cause_of_a_failure() {
     assert!(off < 0.01, "{:?}", kept.energy);
 }
 
+/// A pendulum of 1 m, released level.
+const PENDULUM: &str = r#"
+[[node]]
+name = "bob"
+position = [1, 0, 0]
+[[body]]
+node = "bob"
+mass = 1
+inertia = [0.01, 0.01, 0.01]
+[[joint]]
+kind = "revolute"
+nodes = ["bob"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+[gravity]
+acceleration = [0, -9.81, 0]
+[transient]
+"#;
+
+/// The energy of a scheme without damping alternates, since it does not damp errors of reactions;
+/// an amplitude of 9 % of the 9.81 J of the swing is reported. With the radius 0.6 the energy stays.
+#[test]
+fn small_gains_of_schemes_without_damping_are_reported() {
+    let reported = |radius: f64| {
+        let time = format!("to = 5.12\nstep = 0.01\nradius = {radius}\n");
+        let outcome = run(&(PENDULUM.to_owned() + &time), |_| {}).outcome;
+        assert!(outcome.failure.is_none());
+        gain(&outcome)
+    };
+    let text = reported(1.0).unwrap();
+    for words in ["until 5.11 s by 0.90", "this scheme has no damping"] {
+        assert!(text.contains(words), "{text}");
+    }
+    assert_eq!(reported(0.6), None);
+}
+
 const BODY: &str = r#"
 [[node]]
 name = "a"

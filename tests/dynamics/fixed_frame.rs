@@ -12,7 +12,7 @@ use super::variational_beam::spectra::Random;
 const DISK: &str = "units = \"SI\"\n[[node]]\nname = \"disk\"\nposition = [0, 0, 0]\n\
     [[body]]\nnode = \"disk\"\nmass = 10\ninertia = [1, 1, 2]\n\
     [[spring]]\nnode = \"disk\"\nstiffness = [4e4, 4e4, 9e4]\n\
-    rotational_stiffness = [1e6, 1e6, 1e6]\nstands_in = \"world\"\n\
+    rotational_stiffness = [1e6, 1e6, 1e6]\nfixed_to = \"world\"\n\
     [modes]\nspeeds = [0, 200, 400, 700, 900]\ncount = 3\nname_at = 200\n";
 
 fn table(model: &str) -> FrequencyTable {

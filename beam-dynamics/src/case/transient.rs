@@ -157,6 +157,13 @@ impl Model {
         }
     }
 
+    /// Whether a force may have a kink or a jump over the motion: by a law, or by a signal of sensed
+    /// quantities.
+    pub fn has_kinks(&self) -> bool {
+        let mut elements = self.system.elements();
+        elements.any(|element| element.has_kinks() || element.senses())
+    }
+
     /// Limits of the step length from quantities given over time in a run \[s\].
     pub fn pace(&self, run: [f64; 2]) -> Pace {
         let drives = self.system.elements().flat_map(|element| element.drives());

@@ -62,6 +62,13 @@ pub(super) struct BladeOptions {
     /// Unit of frequencies in figures; Hz if not given
     #[arg(long, value_name = "UNIT", value_parser = one_of(FrequencyUnit::NAMES, FrequencyUnit::ALL))]
     frequency_unit: Option<FrequencyUnit>,
+    /// Multiples of the rotor speed in figures and among the critical speeds, with commas between;
+    /// 1 and multiples of the number of blades if not given
+    #[arg(long, value_parser = whole, value_name = "N", value_delimiter = ',')]
+    harmonics: Option<Vec<usize>>,
+    /// Speed, among the rotor speeds, at which modes are named; the first if not given
+    #[arg(long, value_parser = speed, value_name = "RPM")]
+    name_at: Option<f64>,
 }
 
 /// Reads one of `names` as the value at its index.
@@ -118,6 +125,8 @@ impl BladeOptions {
             (self.damping_ratio.is_some(), "--damping-ratio"),
             (self.words.is_some(), "--words"),
             (self.frequency_unit.is_some(), "--frequency-unit"),
+            (self.harmonics.is_some(), "--harmonics"),
+            (self.name_at.is_some(), "--name-at"),
         ];
         given.iter().find(|option| option.0).map(|option| option.1)
     }
@@ -139,6 +148,8 @@ impl BladeOptions {
             damping_ratio: self.damping_ratio,
             words: self.words.unwrap_or_default(),
             frequency_unit: self.frequency_unit.unwrap_or_default(),
+            harmonics: self.harmonics.clone().unwrap_or_default(),
+            name_at_rpm: self.name_at,
         }
     }
 }

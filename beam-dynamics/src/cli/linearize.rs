@@ -51,8 +51,8 @@ fn linear_of(
     let read = |given: &[(String, f64)]| input::read_linear(path, request, given);
     match linearize(input, &read) {
         Ok(mut model) => {
-            add_remarks(&mut model.remarks, input, None);
-            terminal.remark(&location.name, &model.remarks);
+            let shown = (location.name.as_str(), &mut *terminal);
+            add_remarks(&mut model.remarks, (input, None), shown);
             terminal.show(&output::linear_text(&model));
             finish(None, output::write_linear(&model, location), terminal)
         }

@@ -42,8 +42,9 @@ fn periodic_of(
     let outcome = periodic_from(&input.model, settings, None);
     let mut result = outcome.result;
     let failure = outcome.failure.as_ref();
-    let shown = failure.map(|failure| failure as &dyn Display);
-    add_remarks(&mut result.remarks, input, shown);
+    let reason = failure.map(|failure| failure as &dyn Display);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, reason), shown);
     let mut code = DONE;
     if let Some(failure) = failure {
         let (name, remedy) = (&location.name, failure.remedy());
@@ -100,7 +101,6 @@ pub(super) fn write_period(
         }
         _ => String::new(),
     };
-    terminal.remark(&location.name, &result.remarks);
     let text = output::periodic_text(&result) + &of_rotor;
     let whole = format!("{text}\n{}", output::PERIODIC_CONVENTION);
     terminal.show(&whole);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use shared_geom::error::Explain;
-use shared_geom::files::{make_folder, true_path};
+use shared_geom::files::{Earlier, make_folder, removed_remarks, removed_text, true_path};
 use shared_geom::run_lock::RunLock;
 
 use super::WRONG_INPUT;
@@ -90,9 +90,11 @@ pub(super) fn in_folder(
         .and_then(|()| RunLock::new(&folder.join(format!("{name}.{command}.lock"))));
     let code = match lock {
         Ok(_lock) => {
-            let earlier = results_at(location);
+            let earlier = Earlier::new(folder, name);
             let code = work(terminal);
-            list_removed(&earlier, terminal);
+            let removed = earlier.removed();
+            terminal.show(&removed_text(&removed));
+            removed_remarks(&removed).for_each(|text| terminal.take(Message::Remark(text)));
             code
         }
         Err(problem) => {
@@ -105,40 +107,6 @@ pub(super) fn in_folder(
         let _ = std::fs::remove_dir(folder);
     }
     code
-}
-
-/// The files and folders `NAME.*` of results, in order.
-fn results_at(location: &ResultLocation) -> Vec<PathBuf> {
-    /// Endings of files that exist only during a run.
-    const OF_RUNS: [&str; 2] = [".lock", ".part"];
-    let begin = format!("{}.", location.name);
-    let is_result = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        name.starts_with(&begin) && !OF_RUNS.iter().any(|ending| name.ends_with(ending))
-    };
-    let entries = std::fs::read_dir(&location.folder);
-    let entries = entries.into_iter().flatten().flatten();
-    let paths = entries.map(|entry| entry.path());
-    let mut found: Vec<_> = paths.filter(is_result).collect();
-    found.sort();
-    found
-}
-
-/// Lists the `earlier` results that no longer exist, on the error stream if nothing else is
-/// shown.
-fn list_removed(earlier: &[PathBuf], terminal: &mut Terminal<'_>) {
-    let removed: Vec<_> = earlier.iter().filter(|path| !path.exists()).collect();
-    if removed.is_empty() {
-        return;
-    }
-    terminal.show("\nRemoved: results of an earlier run\n");
-    for path in removed {
-        let path = path.display();
-        terminal.show(&format!("  {path}\n"));
-        terminal.take(Message::Remark(format!(
-            "removed: {path}, of an earlier run"
-        )));
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use shared_geom::error::Explain;
 
 use super::arguments::Results;
 use super::terminal::Terminal;
-use super::{MissingTable, finish, statics};
+use super::{MissingTable, add_remarks, finish, statics};
 use crate::analysis::stability::stability;
 use crate::case::StabilitySettings;
 use crate::input::{self, Input};
@@ -56,8 +56,8 @@ fn stability_of(
 ) -> u8 {
     let read = |given: &[(String, f64)]| input::read_with(path, given);
     let mut result = stability(&input.model.name, settings, input.trim.as_ref(), &read);
-    result.remarks.splice(0..0, input.remarks.iter().cloned());
-    terminal.remark(&location.name, &result.remarks);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, None), shown);
     terminal.show(&output::stability_text(&result));
     let failures = result.failures.iter().map(|(at, [reason, remedy])| {
         let (name, parameter) = (&location.name, &result.parameter);

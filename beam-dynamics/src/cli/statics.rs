@@ -129,8 +129,8 @@ fn static_of(
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
-    add_remarks(&mut result.remarks, input, failure);
-    terminal.remark(&location.name, &result.remarks);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, failure), shown);
     let written = output::write_static(&result, location);
     let text = format!(
         "{}\n{}",
@@ -174,8 +174,8 @@ fn buckling_of(
         .failure
         .as_ref()
         .map(|failure| failure as &dyn Display);
-    add_remarks(&mut result.remarks, input, failure);
-    terminal.remark(&location.name, &result.remarks);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, failure), shown);
     let written = output::write_buckling(&result, location);
     let text = format!(
         "{}\n{}",

@@ -1,11 +1,10 @@
 //! The two streams of the program.
 
-use std::io::{ErrorKind, Result, Write};
+use std::io::{Result, Write};
 use std::sync::atomic::AtomicU64;
 
 use shared_geom::error::Explain;
-
-use super::STOPPED_EARLY;
+use shared_geom::stream::Stream;
 
 /// A piece of output that stays together.
 pub(super) enum Message {
@@ -32,8 +31,8 @@ pub(super) struct Terminal<'a> {
 /// Destination of messages.
 enum Sink<'a> {
     Streams {
-        out: &'a mut dyn Write,
-        err: &'a mut dyn Write,
+        out: Stream<'a>,
+        err: Stream<'a>,
     },
     /// To the thread that has the streams; with the progress of the work.
     Other {
@@ -45,7 +44,10 @@ enum Sink<'a> {
 impl<'a> Terminal<'a> {
     pub fn new(out: &'a mut dyn Write, err: &'a mut dyn Write) -> Self {
         Self {
-            sink: Sink::Streams { out, err },
+            sink: Sink::Streams {
+                out: Stream(out),
+                err: Stream(err),
+            },
             failed: false,
             quiet: false,
         }
@@ -90,10 +92,9 @@ impl<'a> Terminal<'a> {
     }
 
     /// Writes the remarks of a result to the error stream, if its report, which has them, is not
-    /// shown; not the reason of an early end, which is an error of its own.
+    /// shown.
     pub fn remark(&mut self, name: &str, remarks: &[String]) {
-        let others = remarks.iter().filter(|one| !one.starts_with(STOPPED_EARLY));
-        for remark in others {
+        for remark in remarks {
             self.take(Message::Remark(format!("warning: {name}: {remark}")));
         }
     }
@@ -123,7 +124,7 @@ impl<'a> Terminal<'a> {
         self.report_text(&format!("error: {problem}{help}"));
     }
 
-    /// Whether both streams took everything, or closed.
+    /// Whether both streams took everything.
     pub fn finish(mut self) -> bool {
         if let Sink::Streams { out, err } = &mut self.sink {
             let result = out.flush().and_then(|()| err.flush());
@@ -134,7 +135,6 @@ impl<'a> Terminal<'a> {
 
     fn note(&mut self, result: &Result<()>) {
         if let Err(error) = result
-            && error.kind() != ErrorKind::BrokenPipe
             && !self.failed
         {
             self.failed = true;
@@ -149,7 +149,7 @@ impl<'a> Terminal<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::Error;
+    use std::io::{Error, ErrorKind};
 
     /// A stream that fails with an error of some kind.
     struct Failing(ErrorKind);

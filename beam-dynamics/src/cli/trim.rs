@@ -6,7 +6,7 @@ use super::arguments::Results;
 use super::periodic::write_period;
 use super::progress::Progress;
 use super::terminal::Terminal;
-use super::{DONE, MissingTable, NOT_REACHED, finish, in_folder, statics};
+use super::{DONE, MissingTable, NOT_REACHED, add_remarks, finish, in_folder, statics};
 use crate::analysis::trim::{TrimEnd, TrimProgress, Trimmed, trim_watched};
 use crate::case::TrimSettings;
 use crate::input::{self, Input};
@@ -50,8 +50,8 @@ fn trim_of(
     });
     progress.finish();
     let mut result = outcome.result;
-    result.remarks.splice(0..0, input.remarks.iter().cloned());
-    terminal.remark(&location.name, &result.remarks);
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, None), shown);
     let text = output::trim_text(&result);
     terminal.show(&text);
     let written = output::write_trim(&result, location, json);
@@ -110,6 +110,7 @@ fn write_end(end: TrimEnd, location: &ResultLocation, terminal: &mut Terminal<'_
     match (found, &input.periodic, state) {
         (Some(Trimmed::Periodic(result)), Some(settings), Some(state)) => {
             in_folder(location, "periodic", terminal, |terminal| {
+                terminal.remark(&location.name, &result.remarks);
                 let found = (result, Some(&state));
                 write_period((&input, settings), found, location, terminal)
             })

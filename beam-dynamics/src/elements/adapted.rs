@@ -223,6 +223,10 @@ impl Element for Adapted {
         &self.scalars
     }
 
+    fn has_kinks(&self) -> bool {
+        self.element.has_kinks()
+    }
+
     fn acts(&self) -> bool {
         self.element.acts()
     }

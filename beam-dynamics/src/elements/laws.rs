@@ -260,6 +260,11 @@ impl<const N: usize> Law<N> {
         self.terms.iter().any(|term| term.kind.is_viscous())
     }
 
+    /// Whether the force may have a kink or a jump.
+    pub fn has_kinks(&self) -> bool {
+        self.terms.iter().any(|term| term.kind.has_kinks())
+    }
+
     /// Whether its forces without rates are the derivatives of an energy that does not change
     /// with the time.
     pub fn keeps_energy(&self) -> bool {

@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
+use rotor_aero::wind::Atmosphere;
 use shared_geom::document::Table;
 
 use super::drives;
+use super::number::short_number;
 use crate::elements::strips::Air;
 
 mod air;
@@ -28,6 +30,18 @@ pub(super) use airfoil_files::{checked as checked_airfoil, constants as airfoil_
 pub(super) use airfoils::{Airfoils, CARD as AIRFOIL, read as read_airfoils};
 pub(super) use inflows::{CARD as INFLOW, DiskDesign, Disks, Inflow, InflowKind, OF_ROTOR};
 pub(super) use mach::{MachLimit, mach_limits};
+
+/// Density above which air is suspect: brine has up to 1200, sea water 1025 [kg/m^3].
+const DENSE: f64 = 1200.0;
+
+/// A remark on air that is denser than water.
+pub(super) fn remark_on_density(atmosphere: &Atmosphere) -> Option<String> {
+    let density = atmosphere.density;
+    (density > DENSE).then(|| {
+        let density = short_number(density, 6);
+        format!("[air]: the density is {density} kg/m^3, more than of water: check the unit")
+    })
+}
 
 /// The air, the airfoils and the inflows of a model.
 #[derive(Debug, Clone, Default)]

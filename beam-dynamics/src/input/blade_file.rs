@@ -6,7 +6,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use shared_geom::document::read_text;
+use shared_geom::document::{basic_string, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::Input;
@@ -46,6 +46,10 @@ pub struct BladeSettings {
     pub words: Words,
     /// Unit of frequencies in figures.
     pub frequency_unit: FrequencyUnit,
+    /// Multiples of the rotor speed in figures; empty for 1 and the multiples of `blades`.
+    pub harmonics: Vec<usize>,
+    /// Speed, among the rotor speeds, at which modes are named; `None` for the first \[rpm\].
+    pub name_at_rpm: Option<f64>,
 }
 
 impl Default for BladeSettings {
@@ -65,6 +69,8 @@ impl Default for BladeSettings {
             damping_ratio: None,
             words: Words::default(),
             frequency_unit: FrequencyUnit::default(),
+            harmonics: Vec::new(),
+            name_at_rpm: None,
         }
     }
 }
@@ -75,7 +81,7 @@ impl BladeSettings {
         let mut text = format!(
             "units = \"SI\"\n[[blade]]\nname = \"blade\"\nfile = {}\nhub_radius = {:e}\n\
              precone = {:e}\npitch = {:e}\n",
-            quoted(file),
+            basic_string(file),
             self.hub_radius,
             self.precone_deg,
             self.pitch_deg
@@ -114,23 +120,14 @@ impl BladeSettings {
         if let Some(count) = self.count {
             let _ = writeln!(text, "count = {count}");
         }
+        if !self.harmonics.is_empty() {
+            let _ = writeln!(text, "harmonics = {:?}", self.harmonics);
+        }
+        if let Some(rpm) = self.name_at_rpm {
+            let _ = writeln!(text, "name_at = {rpm:e}");
+        }
         text
     }
-}
-
-/// A basic string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => quoted.extend(['\\', letter]),
-            letter if letter.is_control() => {
-                let _ = write!(quoted, "\\u{:04x}", letter as u32);
-            }
-            letter => quoted.push(letter),
-        }
-    }
-    quoted + "\""
 }
 
 /// Whether a file is a blade file by its name: no `.toml`, or one called
@@ -163,7 +160,7 @@ pub fn read_blade(path: &Path, settings: &BladeSettings) -> Result<Input, Diagno
     input.map_err(|problems| {
         problems.rewritten(MADE, |problem| {
             let line = problem.location.line.unwrap_or_default();
-            if let Some((key, option)) = option_at(&text, line) {
+            for (key, option) in options_at(&text, line) {
                 let key = format!("\"{key}\"");
                 problem.message = problem.message.replace(&key, option);
             }
@@ -172,23 +169,28 @@ pub fn read_blade(path: &Path, settings: &BladeSettings) -> Result<Input, Diagno
     })
 }
 
-/// The key on a line of the text made from the settings, and the option that it is made of.
-fn option_at(text: &str, line: usize) -> Option<(&str, &'static str)> {
-    let written = text.lines().nth(line.checked_sub(1)?)?;
-    let (key, _) = written.split_once(" = ")?;
+/// Keys of `[[blade]]`, and the options that they are made of.
+const OF_BLADE: [(&str, &str); 6] = [
+    ("count", "--blades"),
+    ("hub_radius", "--hub-radius"),
+    ("precone", "--precone"),
+    ("pitch", "--pitch"),
+    ("elements", "--elements"),
+    ("length", "--length"),
+];
+/// Keys of `[modes]`, and the options that they are made of.
+const OF_MODES: [(&str, &str); 5] = [
+    ("count", "--count"),
+    ("speeds", "--speeds"),
+    ("damping_ratio", "--damping-ratio"),
+    ("harmonics", "--harmonics"),
+    ("name_at", "--name-at"),
+];
+
+/// The keys of the table with a line of the text made from the settings, and their options.
+fn options_at(text: &str, line: usize) -> &'static [(&'static str, &'static str)] {
     let is_of_modes = text.lines().take(line).any(|line| line == "[modes]");
-    let option = match (key, is_of_modes) {
-        ("count", true) => "--count",
-        ("count", false) => "--blades",
-        ("speeds", _) => "--speeds",
-        ("hub_radius", _) => "--hub-radius",
-        ("precone", _) => "--precone",
-        ("pitch", _) => "--pitch",
-        ("elements", _) => "--elements",
-        ("length", _) => "--length",
-        _ => return None,
-    };
-    Some((key, option))
+    if is_of_modes { &OF_MODES } else { &OF_BLADE }
 }
 
 #[cfg(test)]
@@ -208,6 +210,8 @@ mod tests {
             damping_ratio: Some(0.02),
             words: Words::Wind,
             frequency_unit: FrequencyUnit::PerRevolution,
+            harmonics: vec![1, 3],
+            name_at_rpm: Some(12.1),
             ..BladeSettings::default()
         };
         let file = "a \"b\"\\c\t.dat";
@@ -223,6 +227,8 @@ mod tests {
             "damping_ratio = 2e-2",
             "words = \"wind\"",
             "frequency_unit = \"1/rev\"",
+            "harmonics = [1, 3]",
+            "name_at = 1.21e1",
             "speeds = [0e0, 1.21e1]",
         ] {
             assert!(
@@ -237,22 +243,16 @@ mod tests {
         let settings = BladeSettings {
             count: Some(8),
             blades: Some(3),
-            length: Some(2.0),
             ..BladeSettings::default()
         };
         let text = settings.text("a.dat");
-        let lines = 1..=text.lines().count() + 1;
-        let options: Vec<_> = lines.filter_map(|line| option_at(&text, line)).collect();
-        let expected = [
-            ("hub_radius", "--hub-radius"),
-            ("precone", "--precone"),
-            ("pitch", "--pitch"),
-            ("count", "--blades"),
-            ("length", "--length"),
-            ("speeds", "--speeds"),
-            ("count", "--count"),
-        ];
-        assert_eq!(options, expected);
+        let lines: Vec<_> = text.lines().collect();
+        let of = |line: &str| {
+            let number = 1 + lines.iter().position(|found| *found == line).unwrap();
+            options_at(&text, number)[0]
+        };
+        assert_eq!(of("count = 3"), ("count", "--blades"));
+        assert_eq!(of("count = 8"), ("count", "--count"));
     }
 
     #[test]

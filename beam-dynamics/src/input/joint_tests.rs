@@ -155,19 +155,19 @@ fn a_spring_in_the_world_must_be_the_same_about_the_axis() {
         let clamp = "[[clamp]]\nnode = \"root\"\n";
         format!(
             "{NODES}{clamp}[[rigid]]\nnodes = [\"mast\", \"root\"]\n[[spring]]\n\
-             name = \"s\"\nnode = \"{node}\"\nstiffness = {stiffness}\nstands_in = \"world\"\n"
+             name = \"s\"\nnode = \"{node}\"\nstiffness = {stiffness}\nfixed_to = \"world\"\n"
         )
     };
     assert!(input(&spring("root", "[4, 4, 9]")).is_ok());
     let beside = input(&spring("mast", "[4, 4, 9]")).unwrap_err();
-    let expected = "spring \"s\" has stands_in = \"world\", but node \"mast\" is not on the axis";
+    let expected = "spring \"s\" has fixed_to = \"world\", but node \"mast\" is not on the axis";
     assert!(beside.contains(expected), "{beside}");
     let uneven = input(&spring("root", "[4, 5, 9]")).unwrap_err();
     assert!(
         uneven.contains("is not isotropic about the axis"),
         "{uneven}"
     );
-    assert!(uneven.contains("stands_in = \"frame\""), "{uneven}");
+    assert!(uneven.contains("fixed_to = \"frame\""), "{uneven}");
     let turning = spring("mast", "[4, 5, 9]").replace("\"world\"", "\"frame\"");
     assert!(input(&turning).is_ok());
 }

@@ -228,8 +228,14 @@ fn of_column(table: &Table<'_>, card: &str, builder: &ModelBuilder) -> Option<Ve
 /// All names that may be outputs: columns of several components by the names of their cards.
 fn known_outputs(root: &Table<'_>, builder: &ModelBuilder) -> Vec<String> {
     let of_columns = root.listed("output", "column").into_iter();
-    let of_columns =
-        of_columns.filter_map(|table| table.is_text("name").then(|| table.text("name"))?);
+    let of_columns = of_columns.flat_map(|table| {
+        let card = table.is_text("name").then(|| table.text("name")).flatten();
+        let names = |card: String| match of_column(&table, &card, builder) {
+            Some(found) => found.into_iter().map(|one| one.0.name).collect(),
+            None => vec![card],
+        };
+        card.map_or_else(Vec::new, names)
+    });
     builder
         .drives()
         .readable_names()

@@ -17,6 +17,7 @@ use super::drives;
 use super::ends::label;
 use super::frames::IN;
 use super::misplaced_keys::OF_GRAVITY;
+use super::number::short_number;
 use crate::elements::loads::{self, ImposedMotion, LoadFactor, NodalForce, NodalLoad, Turning};
 use crate::model::Drive;
 
@@ -113,7 +114,10 @@ keys! {
 }
 
 /// Reads `[gravity]` and its factor; zero if absent.
-pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vector3<f64>, Drive)> {
+pub(super) fn gravity(
+    root: &Table<'_>,
+    builder: &mut ModelBuilder,
+) -> Option<(Vector3<f64>, Drive)> {
     if !root.has("gravity") {
         return Some((Vector3::zeros(), Drive::Constant(1.0)));
     }
@@ -125,7 +129,22 @@ pub(super) fn gravity(root: &Table<'_>, builder: &ModelBuilder) -> Option<(Vecto
         Some(Drive::Constant(1.0))
     };
     table.finish_beside(&OF_GRAVITY);
+    let remark = found.as_ref().and_then(remark_on_gravity);
+    builder.add_remarks(remark.into_iter().collect());
     found.zip(drive)
+}
+
+/// A remark on the acceleration of the earth in another unit: inches or millimeters as meters, or
+/// meters as one of both.
+fn remark_on_gravity(acceleration: &Vector3<f64>) -> Option<String> {
+    const EARTH: f64 = 9.806_65;
+    const FACTORS: [f64; 4] = [1e3, 39.37, 1e-3, 0.0254];
+    let size = acceleration.norm();
+    let is_it = |factor: &f64| (size / (factor * EARTH) - 1.0).abs() < 5e-3;
+    FACTORS.iter().any(is_it).then(|| {
+        let [size, times] = [size, size / EARTH].map(|x| short_number(x, 4));
+        format!("[gravity] is {size} m/s^2, {times} times the one of the earth: check the unit")
+    })
 }
 
 /// Adds every `[[load]]`, `[[distributed_load]]` and `[[imposed]]` to the model.

@@ -127,6 +127,7 @@ fn case(root: &Table<'_>, default_name: String) -> Option<PerformanceCase> {
     let momentum = momentum::read(root);
     let air = air::read(root);
     let mut remarks = airfoils.remarks.clone();
+    remarks.extend(air.as_ref().and_then(aerodynamics::remark_on_density));
     let table = root.require_table(
         "rotor",
         "the rotor: [rotor] with \"blades\" and \"stations\"",

@@ -265,7 +265,7 @@ pub enum InputProblem {
     },
     /// A spring in the ground frame off the axis.
     #[error(
-        "spring \"{spring}\" has stands_in = \"world\", but node \"{node}\" is not on the axis of the hub"
+        "spring \"{spring}\" has fixed_to = \"world\", but node \"{node}\" is not on the axis of the hub"
     )]
     OffAxis {
         /// Name of the spring.
@@ -275,7 +275,7 @@ pub enum InputProblem {
     },
     /// A spring in the ground frame that is not isotropic about the axis.
     #[error(
-        "spring \"{spring}\" has stands_in = \"world\", but is not isotropic about the axis of the hub"
+        "spring \"{spring}\" has fixed_to = \"world\", but is not isotropic about the axis of the hub"
     )]
     Anisotropic {
         /// Name of the spring.
@@ -434,7 +434,7 @@ impl Explain for InputProblem {
             }
             Self::DampedClamp { .. } => "name the direction in \"support\", 0 for no spring",
             Self::OffAxis { .. } | Self::Anisotropic { .. } => {
-                "in rotating axes this support is not constant: stands_in = \"frame\" turns with the model"
+                "in rotating axes this support is not constant: fixed_to = \"frame\" turns with the model"
             }
             Self::Wrung { .. } => "divide the beam into shorter ones",
             Self::NoProperties { .. } => "name the properties in [[blade]] or in the piece",
@@ -457,6 +457,9 @@ fn nearest(kind: &str, found: &str, known: &[String]) -> String {
         return "the frame of the model is no node: a joint, rod or spring with one node connects it \
                 to the frame, and a node with a [[clamp]] is held in it"
             .to_owned();
+    }
+    if kind == "drive" && found.contains(['(', '*', '/', '+', '^']) {
+        return format!("an expression begins with =, as in \"= {found}\"");
     }
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),

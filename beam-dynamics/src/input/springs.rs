@@ -18,8 +18,8 @@ use crate::elements::springs::{SupportFrame, SupportLaw, SupportSpring};
 
 mod between;
 
-/// Words of `stands_in`.
-const STANDS: [&str; 2] = ["frame", "world"];
+/// Words of `fixed_to`.
+const FIXED_TO_WORDS: [&str; 2] = ["frame", "world"];
 
 /// A spring between a node and the frame or the ground, or between two nodes.
 pub(super) const CARD: TableSchema = TableSchema {
@@ -38,7 +38,7 @@ pub(super) const CARD: TableSchema = TableSchema {
         Family {
             name: "support",
             meaning: "Between a node and the frame or the ground.",
-            keys: &[NODE.schema, STANDS_IN.schema],
+            keys: &[NODE.schema, FIXED_TO.schema],
         },
         between::OF_TWO_NODES,
         between::OF_ONE_NODE,
@@ -67,7 +67,7 @@ keys! {
     ROTATIONAL_DAMPING: Vector3<f64> = "rotational_damping",
         [Vector(3, Dimension::TURNING_DAMPER)], or "[0, 0, 0]" = Vector3::zeros(), "[5, 5, 0]";
     /// Fixed end: the frame of the model, which turns with the hub, or the ground.
-    STANDS_IN: usize = "stands_in", [Word(&STANDS)], or "\"frame\"" = 0, "\"world\"";
+    FIXED_TO: usize = "fixed_to", [Word(&FIXED_TO_WORDS)], or "\"frame\"" = 0, "\"world\"";
 }
 
 /// Keys of stiffnesses along and about the axes.
@@ -123,7 +123,7 @@ fn spring(table: &Table<'_>) -> Option<Spring> {
     let axes = table.get(&ORIENTATION);
     let stiffness = six(table, STIFFNESSES);
     let damping = six(table, DAMPERS);
-    let support_frame = table.get(&STANDS_IN);
+    let support_frame = table.get(&FIXED_TO);
     Some(Spring {
         axes: vector::to_rotation(&axes?),
         stiffness: stiffness?,
@@ -164,11 +164,11 @@ fn add(
         let size = node.position.amax().max(frame_rotation.center.amax());
         if across.amax() > ROUNDING * size {
             let (spring, node) = (label, node.label);
-            table.note(&STANDS_IN, &InputProblem::OffAxis { spring, node });
+            table.note(&FIXED_TO, &InputProblem::OffAxis { spring, node });
             return builder.note_broken();
         }
         if !is_isotropic(&law, &frame_rotation.axis) {
-            table.note(&STANDS_IN, &InputProblem::Anisotropic { spring: label });
+            table.note(&FIXED_TO, &InputProblem::Anisotropic { spring: label });
             return builder.note_broken();
         }
     }

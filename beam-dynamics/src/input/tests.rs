@@ -246,6 +246,7 @@ fn a_broken_air_brings_no_errors_of_columns() {
         ("at = 0.5, chord = 0.4", "at = 0.5, chord = -4"),
         ("inflow = \"rotor\"", "inflow = \"motor\""),
         ("[[inflow]]", "[[inflow]]\nkind = \"moment\""),
+        ("\nproperties = \"blade\"", "\nproperties = \"blad\""),
     ] {
         assert!(hover.contains(from));
         let text = format!("{hover}{columns}").replace(from, to);
@@ -254,6 +255,34 @@ fn a_broken_air_brings_no_errors_of_columns() {
     }
     let text = format!("{hover}{columns}").replace("at = 0.7", "at = 0.01");
     assert!(reported(read_beside(&text, &[])).contains("0.01"));
+}
+
+// Meters, feet, and others that are no unit of the file.
+#[test]
+fn gravity_in_another_unit_is_remarked() {
+    for (size, is_remarked) in [
+        ("9.81", false),
+        ("1.62", false),
+        ("32.174", false),
+        ("9810", true),
+        ("386.09", true),
+        ("0.00981", true),
+    ] {
+        let cards = format!("{BLADE}{MODES}[gravity]\nacceleration = [0, 0, -{size}]\n");
+        let remarks = input(&cards).unwrap().remarks;
+        let found = remarks
+            .iter()
+            .any(|remark| remark.starts_with("[gravity] is "));
+        assert_eq!(found, is_remarked, "{remarks:?}");
+    }
+}
+
+#[test]
+fn an_expression_without_its_sign_is_no_name() {
+    let load = "[[load]]\nnode = \"b/tip\"\nforce = [1, 0, 0]\ndrive = \"sin(t)\"\n";
+    let shown = refused(&format!("{BLADE}{MODES}{load}"));
+    let expected = "help: an expression begins with =, as in \"= sin(t)\"";
+    assert!(shown.ends_with(expected), "{shown}");
 }
 
 #[test]

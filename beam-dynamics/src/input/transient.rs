@@ -115,7 +115,7 @@ pub enum TransientProblem {
     #[error("\"shape\" is added to an equilibrium, but \"start\" is \"given\"")]
     IdleShape,
     /// Initial velocities without `[transient]`.
-    #[error("node \"{node}\" has a \"{key}\", but there is no [transient]")]
+    #[error("node \"{node}\" has \"{key}\", but there is no [transient]")]
     IdleVelocity {
         /// Name of the node.
         node: String,

@@ -1,6 +1,6 @@
 //! The fan plot: frequencies over rotor speed, with the multiples of the speed.
 
-use shared_geom::figure::{CATEGORIES, Color, Drawing, Figure, WIDTH};
+use shared_geom::figure::{Color, Drawing, Figure, WIDTH};
 
 use super::text::DAMPED;
 use crate::case::{FrequencyUnit, Words};
@@ -14,6 +14,7 @@ mod fixed;
 mod groups;
 mod labels;
 mod legend;
+mod looks;
 mod per_rev;
 
 use boxes::Obstacles;
@@ -29,8 +30,6 @@ const LEGEND: f64 = 70.0;
 const PER_REV_LIMIT: f64 = 1.6;
 /// Critical speeds of a rotor above which only the ones at the multiples b and 2b are marked.
 const MOST_MARKS: usize = 30;
-/// Colors of modes: the colors of categories without yellow, which is faint as a line.
-const COLORS: usize = CATEGORIES.len() - 1;
 
 /// A fan plot, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +57,8 @@ pub struct FanPlot {
 #[derive(Debug, Clone, PartialEq)]
 struct Curve {
     name: String,
+    /// Kind of the name.
+    kind: ModeKind,
     /// Kind at each speed.
     kinds: Vec<Option<ModeKind>>,
     /// Frequencies in the unit of the plot.
@@ -67,7 +68,7 @@ struct Curve {
     color: Color,
     /// Damping ratios \[%\].
     damping: Vec<Option<f64>>,
-    /// Pattern of the line: a different one for each repetition of the colors.
+    /// Pattern of the line.
     pattern: usize,
 }
 
@@ -75,10 +76,12 @@ impl FanPlot {
     /// The plot of `table` in the turning axes and the measured points; `None` for fewer than two
     /// speeds, which make no lines, and without modes.
     pub fn new(table: &FrequencyTable, measured: &Measured) -> Option<Self> {
-        let groups = groups(table);
-        let curves = groups.iter().enumerate();
-        let curves = curves.map(|(index, group)| Curve::of_group(index, group, table));
         let mut plot = Self::empty(table, "frequency in the turning axes");
+        let groups = groups(table);
+        let first = groups.iter().map(Group::first);
+        let stems: Vec<_> = first.map(|branch| (branch.kind, branch.stem())).collect();
+        let curves = groups.iter().zip(looks::looks(&stems));
+        let curves = curves.map(|(group, look)| Curve::of_group(group, look, table));
         plot.curves = curves.collect();
         plot.measured = measured
             .points
@@ -180,7 +183,11 @@ impl FanPlot {
 
 impl Curve {
     /// The curve of modes that coincide.
-    fn of_group(index: usize, group: &Group<'_>, table: &FrequencyTable) -> Self {
+    fn of_group(
+        group: &Group<'_>,
+        (color, pattern): (Color, usize),
+        table: &FrequencyTable,
+    ) -> Self {
         let point = |k: usize| group.point(k);
         let speeds = || 0..table.speeds.len();
         let value = |k: usize| {
@@ -189,6 +196,7 @@ impl Curve {
         };
         Self {
             name: group.name(table),
+            kind: group.first().kind,
             kinds: speeds()
                 .map(|k| point(k).map(|point| group.first().kind_at(point)))
                 .collect(),
@@ -197,8 +205,8 @@ impl Curve {
             damping: speeds()
                 .map(|k| point(k).map(|point| 100.0 * point.damping_ratio))
                 .collect(),
-            color: CATEGORIES[index % COLORS],
-            pattern: index / COLORS,
+            color,
+            pattern,
         }
     }
 

@@ -82,15 +82,64 @@ fn a_short_piece_of_a_line_has_no_name() {
     assert!(!named(&table));
 }
 
-// Colors repeat with other patterns, never alone.
+// Six modes of each of four kinds: a color for each kind, another pattern for its next mode, and
+// another shade for the fifth.
 #[test]
-fn no_two_modes_look_alike() {
+fn kinds_have_colors_and_their_modes_patterns() {
     let plot = FanPlot::new(&samples::crowded(), &Measured::default()).unwrap();
-    assert_eq!(plot.curves.len(), 4 * COLORS);
+    assert_eq!(plot.curves.len(), 24);
+    let flap: Vec<_> = plot.curves.iter().step_by(4).collect();
+    let patterns: Vec<_> = flap.iter().map(|curve| curve.pattern).collect();
+    assert_eq!(patterns, [0, 1, 2, 3, 0, 1]);
+    assert!(flap[..4].iter().all(|curve| curve.color == flap[0].color));
+    assert_ne!(flap[4].color, flap[0].color);
     let looks: Vec<_> = plot.curves.iter().map(|c| (c.color, c.pattern)).collect();
     for (i, look) in looks.iter().enumerate() {
         assert!(!looks[i + 1..].contains(look), "{i}");
     }
+}
+
+// A mode of another kind with the same frequencies covers the first one, which is broader; a
+// collective and a differential mode of one frequency are one line of the Campbell diagram.
+#[test]
+fn lines_that_coincide_are_seen() {
+    let mut table = samples::small();
+    let mut other = table.branches[0].clone();
+    (other.kind, other.name) = (ModeKind::Coupled, "coupled 1".to_owned());
+    table.branches.push(other);
+    let plot = FanPlot::new(&table, &Measured::default()).unwrap();
+    let width = |color| {
+        let drawing = plot.drawing();
+        let lines = drawing.lines().filter(|line| line.1 == color);
+        let widths = lines.map(|line| line.2);
+        widths.fold(0.0, f64::max)
+    };
+    let covering = plot.curves.last().unwrap();
+    assert!(width(plot.curves[0].color) > width(covering.color));
+
+    let mut table = samples::waves();
+    let mut other = table.branches[0].clone();
+    (other.harmonic, other.name) = (Some(0), "lag 1 collective".to_owned());
+    for whirl in other
+        .points
+        .iter_mut()
+        .flatten()
+        .filter_map(|point| point.whirl.as_mut())
+    {
+        whirl.harmonic = 0;
+    }
+    table.branches.push(other.clone());
+    other.name = "lag 1 differential".to_owned();
+    table.branches.push(other);
+    let fixed = FixedTable::new(&table, &table.harmonics()).unwrap();
+    let names: Vec<_> = FanPlot::campbell(&table, &fixed).curves;
+    let names: Vec<_> = names.iter().map(|curve| curve.name.as_str()).collect();
+    let expected = [
+        "lag 1 progressive",
+        "lag 1 regressive",
+        "lag 1 collective, differential",
+    ];
+    assert_eq!(names, expected);
 }
 
 // Of two waves of 2 Hz one line is left in the turning axes, and two in the fixed system.

@@ -199,6 +199,20 @@ fn words_and_units_of_blade_files_are_options() {
         table.lines().any(|line| line.starts_with("100,")),
         "{table}"
     );
+    // The strip has its first mode at 3.6 Hz: 2P of 100 rpm is 3.3 Hz.
+    let chosen = ["--harmonics", "7,2", "--name-at", "100"];
+    let run = folder.run(&[&["modes", "a.csv"][..], &options[..2], &chosen].concat());
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let fan = folder.read("results/a.fan.svg");
+    for (multiple, is_drawn) in [("2P", true), ("7P", true), ("1P", false)] {
+        assert_eq!(fan.contains(&format!("\n{multiple}\n")), is_drawn, "{fan}");
+    }
+}
+
+#[test]
+fn wrong_options_of_blade_files_are_named() {
+    let folder = Folder::new();
+    folder.write("a.csv", &table_of(&strip()));
     for (option, value, expected) in [
         ("--words", "sea", "[possible values: rotor, wind]"),
         (
@@ -206,7 +220,18 @@ fn words_and_units_of_blade_files_are_options() {
             "hz",
             "[possible values: Hz, rpm, rad/s, 1/rev]",
         ),
-        ("--damping-ratio", "1.5", "\"damping_ratio\" is 1.5"),
+        ("--damping-ratio", "1.5", "--damping-ratio is 1.5"),
+        (
+            "--harmonics",
+            "1,2000",
+            "--harmonics has 2000, expected whole numbers from 1 to 1000",
+        ),
+        ("--harmonics", "1,2.5", "expected a whole number, 1 or more"),
+        (
+            "--name-at",
+            "50",
+            "--name-at has the speed 50 rpm, expected some of --speeds",
+        ),
         (
             "--speeds",
             "4 m",

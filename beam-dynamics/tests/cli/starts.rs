@@ -226,7 +226,7 @@ of = \"b/root\"
     let run = folder.run(&["check", "a.dynamics.toml"]);
     assert_eq!(run.code, 2);
     assert_eq!(
-        run.err.matches("has a \"velocity\"").count(),
+        run.err.matches("has \"velocity\"").count(),
         1,
         "{}",
         run.err

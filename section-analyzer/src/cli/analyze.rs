@@ -123,9 +123,6 @@ pub(super) fn analyze_files(
     }
 }
 
-/// The options of results that a run without them removes.
-const ON_REQUEST: &str = "--sensitivity and --mesh-error make them";
-
 /// Shows the outcome of a run with a single section.
 fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
     write!(terminal.out, "{}", outcome.report)?;
@@ -134,7 +131,7 @@ fn show(job: &Job, outcome: Outcome, terminal: &mut Terminal<'_>) -> Result<(), 
         terminal.report_text(&messages, outcome.status.code());
     }
     list(outcome.status.heading(), &outcome.files, terminal)?;
-    list_removed((&outcome.removed, ON_REQUEST), terminal)?;
+    list_removed(&outcome.removed, terminal)?;
     match outcome.status.code() {
         DONE => Ok(()),
         code => Err(Stop::Reported(code)),

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::exchange;
 use shared_geom::file_kind::LAYUP_ENDING;
-use shared_geom::files::{OutputProblem, make_folder, name_without, write_whole};
+use shared_geom::files::{Earlier, OutputProblem, make_folder, name_without, write_whole};
 use shared_geom::gmsh;
 use shared_geom::line::{ReferenceLine, Side};
 use shared_geom::section::SectionProperties;
@@ -216,10 +216,11 @@ impl<'a> Plan<'a> {
             Ok(station) => station,
             Err(problems) => {
                 // results of an earlier run
-                if let Ok(files) = OutputFiles::new(&job.folder, &job.name) {
-                    ResultWriter::new(files).abandon();
-                }
+                let files = OutputFiles::new(&job.folder, &job.name).ok();
+                let earlier = files.as_ref().map(OutputFiles::earlier);
+                files.map(|files| ResultWriter::new(files).abandon());
                 return Outcome {
+                    removed: earlier.map_or_else(Vec::new, Earlier::removed),
                     problems: Some(problems),
                     ..Outcome::new(Status::NotReached)
                 };

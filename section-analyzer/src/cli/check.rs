@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::arguments::CheckArguments;
 use super::figures::draw_section;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, warnings_of};
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed, warnings_of};
 use crate::input::{self, Input};
 use crate::output::{Figures, Outline, OutputFiles, ResultWriter, input_report};
 
@@ -37,10 +37,12 @@ fn draw(
 ) -> Result<(), Stop> {
     let files = OutputFiles::new(folder, &input::name_of(file))
         .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let earlier = files.earlier();
     let mut results = ResultWriter::beside(files).with_figures(figures);
     let outline = LazyCell::new(|| Outline::new(&input.section));
     let drawn = draw_section(input, &outline, None, &mut results);
     let reported = drawn.map_err(|problem| terminal.report(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
+    list_removed(&earlier.removed(), terminal)?;
     reported
 }

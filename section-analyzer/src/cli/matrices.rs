@@ -7,7 +7,7 @@ use shared_geom::files::OutputProblem;
 use shared_geom::section;
 
 use super::solved::open_end_effects;
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list};
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::analysis::ExternalAnalysis;
 use crate::failure::Failure;
 use crate::input::external::{self, ExternalInput};
@@ -29,6 +29,7 @@ pub(super) fn analyze_file(
     let folder = out.unwrap_or_else(beside);
     let files = OutputFiles::new(&folder, &external::name_of(file))
         .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let earlier = files.earlier();
     // results of an earlier run are removed
     files.remove_results();
     let solved = solve(&input.section).map_err(|failure| {
@@ -47,6 +48,7 @@ pub(super) fn analyze_file(
     let written = write_results(&input, solved.analysis.solution(), &report, &mut results);
     let reported = written.map_err(|problem| terminal.report(&problem, NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
+    list_removed(&earlier.removed(), terminal)?;
     reported?;
     match solved.open_problem(file) {
         Some(problem) => Err(terminal.report_text(&problem, NOT_REACHED)),

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector6;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation, quoted};
-use shared_geom::files::{OutputProblem, make_folder, write_whole};
+use shared_geom::files::{Earlier, OutputProblem, make_folder, write_whole};
 use shared_geom::run_lock::RunLock;
 
 use super::analyze::{Job, Outcome, Status, solve_all};
@@ -31,8 +31,6 @@ use histories::Histories;
 /// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
 const BLADE: &str = ".blade.json";
-/// The results that a run without them removes.
-const ON_REQUEST: &str = "loads and materials with limits, and histories, make them";
 /// The folder of the sections, beside the table.
 const SECTIONS: &str = "sections";
 
@@ -311,7 +309,8 @@ impl Tables<'_> {
                 damage_text(self.damages, self.duration)
             )?;
         }
-        let (mut written, mut removed) = (Vec::new(), Vec::new());
+        let earlier = Earlier::new(&target.folder, &target.name);
+        let mut written = Vec::new();
         for (ending, rows, text) in [
             (
                 "strength.csv",
@@ -336,10 +335,10 @@ impl Tables<'_> {
                 written.push(file);
             } else {
                 // a missing file is ignored
-                removed.extend(std::fs::remove_file(&file).ok().map(|()| file));
+                drop(std::fs::remove_file(&file));
             }
         }
         list("Written", &written, terminal)?;
-        list_removed((&removed, ON_REQUEST), terminal)
+        Ok(list_removed(&earlier.removed(), terminal)?)
     }
 }

@@ -9,7 +9,7 @@ use shared_geom::files::OutputProblem;
 
 use super::arguments::LoadArguments;
 use super::solved::{Solved, solve};
-use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, words};
+use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed, words};
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
@@ -54,6 +54,7 @@ pub(super) fn recover_file(
     let folder = out.unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).join("results"));
     let files = OutputFiles::new(&folder, &input::name_of(file))
         .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
+    let earlier = files.earlier();
     let _lock = files
         .lock()
         .map_err(|problem| terminal.report(&problem, WRONG_INPUT))?;
@@ -77,6 +78,7 @@ pub(super) fn recover_file(
     let reported =
         (!problems.is_empty()).then(|| terminal.report_text(&problems.join("\n"), NOT_REACHED));
     list("Written", &results.abandon(), terminal)?;
+    list_removed(&earlier.removed(), terminal)?;
     reported.map_or(Ok(()), Err)
 }
 

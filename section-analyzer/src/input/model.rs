@@ -4,6 +4,7 @@ use std::path::Path;
 
 use shared_geom::document::read_text;
 use shared_geom::error::Diagnostics;
+use shared_geom::file_kind::FileKind;
 use shared_geom::mesh_file::{Model, becas_files, read_becas, read_vabs};
 
 /// Reads the section model at `path`: a folder of BECAS, or an input file of VABS.
@@ -13,6 +14,7 @@ use shared_geom::mesh_file::{Model, becas_files, read_becas, read_vabs};
 pub fn read(path: &Path) -> Result<Model, Diagnostics> {
     let Some(files) = becas_files(path) else {
         let text = read_text(path)?;
+        FileKind::Model.require(path, &text)?;
         return read_vabs(text.as_bytes(), &path.display().to_string());
     };
     let mut problems = Diagnostics::new();

@@ -34,6 +34,13 @@ const DENSITIES: (f64, f64) = (5.0, 23_000.0);
 const LARGE: f64 = 20.0;
 /// Size above which a section has walls: solid parts are not larger than chords of blades [m].
 const WALLED: f64 = 8.0;
+/// The same for parts of metals and of plies: solid shafts have up to 1.5 [m].
+const PLATED: f64 = 2.0;
+/// Modulus above which materials are metals and carbon, which form walls: concrete has up to 50 GPa
+/// [Pa].
+const METALS: f64 = 55e9;
+/// The same of materials with directions: wood has up to 20 GPa, plies of glass 30 or more [Pa].
+const PLIES: f64 = 25e9;
 /// Thickness of the thinnest cell of such a section above which its unit is suspect: walls of towers
 /// of steel have up to 0.15, walls of concrete 0.3 and two or more cells [m].
 const THICK: f64 = 0.2;
@@ -149,15 +156,26 @@ fn length(value: f64) -> String {
     }
 }
 
+/// Whether parts of a material have walls, from a certain size on: metals and plies.
+pub(super) fn forms_walls(material: &Material) -> bool {
+    let least = match material.law {
+        ElasticLaw::Isotropic { .. } => METALS,
+        _ => PLIES,
+    };
+    largest_modulus(&material.law).is_some_and(|modulus| modulus > least)
+}
+
 /// Remark on the extent `size` of a mesh and the thickness of its thinnest `cell` \[m\], with coordinates
-/// in `unit`, of which one is `factor` \[m\].
+/// in `unit`, of which one is `factor` \[m\]; `has_walls` if a material forms walls.
 pub(super) fn of_size(
     [size, cell]: [f64; 2],
+    has_walls: bool,
     (unit, factor): (&str, f64),
 ) -> Option<UnlikelyInput> {
+    let walled = if has_walls { PLATED } else { WALLED };
     let is_drawn = (DRAWN.0..DRAWN.1).contains(&factor);
     let is_alone = size > LARGE || is_drawn && size < SMALL.0;
-    let by_cell = (size > WALLED && cell > THICK) || (is_drawn && size < SMALL.1 && cell < THIN);
+    let by_cell = (size > walled && cell > THICK) || (is_drawn && size < SMALL.1 && cell < THIN);
     (is_alone || by_cell).then(|| UnlikelyInput::Size {
         size,
         cell: (!is_alone).then_some(cell),
@@ -371,30 +389,48 @@ mod tests {
         assert!(shown.contains("MPa would be usual"), "{shown}");
     }
 
-    fn size_remark(lengths: [f64; 2], unit: (&str, f64)) -> String {
-        let found = of_size(lengths, unit);
+    fn size_remark(lengths: [f64; 2], has_walls: bool, unit: (&str, f64)) -> String {
+        let found = of_size(lengths, has_walls, unit);
         found.map_or_else(String::new, |found| found.to_string())
     }
 
     /// Sections that exist [m]: a strip, a model, root of a blade, towers of steel (monopiles of 12 m,
-    /// 0.15 m thick) and of concrete, a solid bar, a film of 5 um on 12 mm, a beam of 2 um in meters
-    /// and in micrometers.
+    /// 0.15 m thick) and of concrete, solid piers of concrete, a shaft, a root of laminate, a film of
+    /// 5 um on 12 mm, a beam of 2 um in meters and in micrometers.
     #[test]
     fn sections_that_exist_are_not_remarked() {
-        for (size, cell, unit) in [
-            (0.02, 1e-3, ("m", 1.0)),
-            (5.0, 0.5, ("m", 1.0)),
-            (8.0, 1.0, ("m", 1.0)),
-            (12.0, 0.15, ("m", 1.0)),
-            (14.0, 0.15, ("m", 1.0)),
-            (4.5, 1e-3, ("mm", 1e-3)),
-            (12e-3, 5e-6, ("mm", 1e-3)),
-            (0.063, 1e-3, ("in", 0.0254)),
-            (2e-6, 1e-7, ("m", 1.0)),
-            (2e-6, 1e-7, ("um", 1e-6)),
+        for (size, cell, has_walls, unit) in [
+            (0.02, 1e-3, true, ("m", 1.0)),
+            (5.0, 0.5, false, ("m", 1.0)),
+            (8.0, 1.0, false, ("m", 1.0)),
+            (1.5, 0.4, true, ("m", 1.0)),
+            (5.0, 0.12, true, ("m", 1.0)),
+            (12.0, 0.15, true, ("m", 1.0)),
+            (14.0, 0.15, false, ("m", 1.0)),
+            (4.5, 1e-3, true, ("mm", 1e-3)),
+            (12e-3, 5e-6, true, ("mm", 1e-3)),
+            (0.063, 1e-3, true, ("in", 0.0254)),
+            (2e-6, 1e-7, true, ("m", 1.0)),
+            (2e-6, 1e-7, true, ("um", 1e-6)),
         ] {
-            assert_eq!(size_remark([size, cell], unit), "", "{size} {cell}");
+            let found = size_remark([size, cell], has_walls, unit);
+            assert_eq!(found, "", "{size} {cell}");
         }
+    }
+
+    /// Aluminum, steel and carbon plies; concrete and wood (largest modulus 16 GPa).
+    #[test]
+    fn metals_and_plies_form_walls() {
+        for (young, expected) in [(70e9, true), (210e9, true), (30e9, false), (3e9, false)] {
+            assert_eq!(forms_walls(&isotropic(young, 2500.0)), expected, "{young}");
+        }
+        let mut ply = isotropic(1.0, 1600.0);
+        let carbon = crate::section::samples::CARBON;
+        ply.law = ElasticLaw::Orthotropic(carbon);
+        assert!(forms_walls(&ply));
+        let e1 = 16e9;
+        ply.law = ElasticLaw::Orthotropic(crate::material::EngineeringConstants { e1, ..carbon });
+        assert!(!forms_walls(&ply));
     }
 
     #[test]
@@ -405,27 +441,42 @@ mod tests {
                  states"
             )
         };
-        for (size, cell, unit, words) in [
-            (100.0, 0.1, ("m", 1.0), "the section is 100 m large"),
-            // 12 mm by 3 mm with plies of 0.25 mm
+        for (size, cell, has_walls, unit, words) in [
+            (100.0, 0.1, false, ("m", 1.0), "the section is 100 m large"),
+            // 12 mm by 3 mm with plies of 0.25 mm, and 4 mm by 1 mm
             (
                 12.0,
                 0.25,
+                false,
                 ("m", 1.0),
                 "the section is 12 m large, and its thinnest cell is 0.25 m thick",
             ),
+            (
+                4.0,
+                0.25,
+                true,
+                ("m", 1.0),
+                "the section is 4 m large, and its thinnest cell is 0.25 m thick",
+            ),
             // 0.3 m by 0.03 m
-            (0.3e-3, 1e-5, ("mm", 1e-3), "the section is 0.3 mm large"),
+            (
+                0.3e-3,
+                1e-5,
+                true,
+                ("mm", 1e-3),
+                "the section is 0.3 mm large",
+            ),
             // a chord of 4 m with plies of 1 mm
             (
                 4e-3,
                 1e-6,
+                true,
                 ("mm", 1e-3),
                 "the section is 4 mm large, and its thinnest cell is 0.001 mm thick",
             ),
         ] {
             let expected = words.to_owned() + &ends(unit.0);
-            assert_eq!(size_remark([size, cell], unit), expected);
+            assert_eq!(size_remark([size, cell], has_walls, unit), expected);
         }
     }
 }

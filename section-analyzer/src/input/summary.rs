@@ -9,8 +9,9 @@ use super::electric::ElectricWarning;
 use super::extent;
 use super::plausible::{self, UnlikelyInput};
 use crate::mesh::quality::{MeshQuality, NamedCell};
-use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, SectionMesh, counted};
+use crate::mesh::{HangingNode, MeshReport, NarrowGap, Seam, counted};
 use crate::properties::AreaTable;
+use crate::section::Section;
 
 /// Number of seams, gaps and cells that are described; the others are counted.
 const DESCRIBED: usize = 3;
@@ -44,10 +45,14 @@ pub struct InputSummary {
 
 impl InputSummary {
     /// Measures the shapes of the cells, and warns of poor ones and of an unlikely size.
-    pub(super) fn rate(&mut self, mesh: &SectionMesh) {
+    pub(super) fn rate(&mut self, section: &Section) {
+        let mesh = &section.mesh;
+        let materials = section.cells.iter().map(|cell| cell.material);
+        let mut materials = materials.filter_map(|index| section.materials.get(index));
+        let has_walls = materials.any(plausible::forms_walls);
         let lengths = [extent::size(mesh), extent::thinnest(mesh)];
         let unit = (&*self.length_unit, self.length_factor);
-        let unlikely = plausible::of_size(lengths, unit);
+        let unlikely = plausible::of_size(lengths, has_walls, unit);
         self.warnings.extend(unlikely.map(InputWarning::Unlikely));
         self.quality = MeshQuality::of(mesh);
         let count = self.quality.poor();

@@ -8,6 +8,7 @@
 use super::elastic::{ElasticLaw, EngineeringConstants, Material};
 use nalgebra::Matrix6;
 use shared_geom::error::Explain;
+use shared_geom::units::rounded;
 
 /// Largest difference between mirrored entries of a full stiffness, relative to its
 /// largest entry. Files contain six digits or more; a larger difference is a mistake.
@@ -29,7 +30,7 @@ pub enum MaterialProblem {
         value: f64,
     },
     /// A Young's or shear modulus is zero or negative.
-    #[error("{constant} is {value} Pa, expected more than 0")]
+    #[error("{constant} is {} Pa, expected more than 0", rounded(*.value))]
     ModulusNotPositive {
         /// Name of the modulus.
         constant: &'static str,
@@ -37,13 +38,13 @@ pub enum MaterialProblem {
         value: f64,
     },
     /// The density is negative.
-    #[error("density is {value} kg/m^3, expected 0 or more")]
+    #[error("density is {} kg/m^3, expected 0 or more", rounded(*.value))]
     DensityNegative {
         /// Value found \[kg/m^3\].
         value: f64,
     },
     /// Poisson's ratio of an isotropic law is out of its range.
-    #[error("nu is {value}, expected more than -1 and less than 0.5")]
+    #[error("poisson is {value}, expected more than -1 and less than 0.5")]
     PoissonOutOfRange {
         /// Value found \[-\].
         value: f64,

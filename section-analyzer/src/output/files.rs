@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use shared_geom::files::{OutputProblem, make_folder};
+use shared_geom::files::{Earlier, OutputProblem, make_folder};
 use shared_geom::run_lock::RunLock;
 
 use super::stress_plots::STRESS_PLOTS;
@@ -34,6 +34,11 @@ impl OutputFiles {
     /// [`OutputProblem::InUse`].
     pub fn lock(&self) -> Result<RunLock, OutputProblem> {
         RunLock::new(&self.path("section.lock"))
+    }
+
+    /// The results that exist now.
+    pub fn earlier(&self) -> Earlier {
+        Earlier::new(&self.folder, &self.name)
     }
 
     /// The folder of the results.

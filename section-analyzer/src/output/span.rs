@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Vector2;
 use shared_geom::blade::{Blade, Interpolation, Station};
-use shared_geom::files::OutputProblem;
+use shared_geom::files::{Earlier, OutputProblem};
 use shared_geom::hash::sha256_of;
 use shared_geom::line::ReferenceLine;
 use shared_geom::run_lock::RunLock;
@@ -97,6 +97,11 @@ impl SpanFiles {
             folder: folder.to_owned(),
             name: name.to_owned(),
         }
+    }
+
+    /// The results that exist now.
+    pub fn earlier(&self) -> Earlier {
+        Earlier::new(&self.folder, &self.name)
     }
 
     /// Keeps other runs from the sections, which blades of all names in one folder share.

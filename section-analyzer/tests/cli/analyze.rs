@@ -162,7 +162,8 @@ fn anisotropic_sections_have_no_constants() {
         "{}",
         run.out
     );
-    assert!(!run.out.contains("constants.csv"));
+    let removed = "\nRemoved: results of an earlier run\n  results/strip.constants.csv\n";
+    assert!(run.out.ends_with(removed), "{}", run.out);
     assert!(!workplace.path("results/strip.constants.csv").exists());
 }
 
@@ -365,7 +366,10 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     assert!(run.err.contains("\n  help: "), "{}", run.err);
     assert_eq!(
         run.out,
-        "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n"
+        "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n\n\
+         Removed: results of an earlier run\n  results/a.analysis.json\n  results/a.areas.csv\n  \
+         results/a.constants.csv\n  results/a.properties.json\n  results/a.warping.png\n  \
+         results/a.warping.vtu\n"
     );
     assert!(
         workplace

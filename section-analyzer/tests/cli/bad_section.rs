@@ -47,7 +47,7 @@ fn wrong_units_are_reported_with_those_that_fit() {
 #[test]
 fn materials_that_cannot_exist_are_reported_with_the_bound() {
     Workplace::with(&[("poisson = 0.3", "poisson = 0.5")], &[]).is_refused(&[
-        "error: a.section.toml:9: material \"steel\": nu is 0.5, expected more than -1 and \
+        "error: a.section.toml:9: material \"steel\": poisson is 0.5, expected more than -1 and \
          less than 0.5",
         "  help: nearly incompressible materials such as rubber have 0.49 to 0.4999",
     ]);
@@ -178,7 +178,7 @@ fn several_problems_come_together() {
     Workplace::with(&changes, &[]).is_refused(&[
         "error: a.section.toml:1: physical surface \"skin\" (1 cell) has no region",
         "  help: add [[region]] with group = \"skin\" and its material",
-        "error: a.section.toml:9: material \"steel\": nu is 0.7, expected more than -1 and \
+        "error: a.section.toml:9: material \"steel\": poisson is 0.7, expected more than -1 and \
          less than 0.5",
         "  help: nearly incompressible materials such as rubber have 0.49 to 0.4999",
         "error: a.section.toml:13: the mesh has no physical surface \"skim\"",

@@ -165,6 +165,17 @@ fn mistakes_are_reported_with_their_lines() {
         assert_eq!(run.code, code, "{to}: {}", run.out);
         assert!(run.err.contains(expected), "{to}: {}", run.err);
     }
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", LAYUP);
+    for command in [
+        &["layup", "a.layup.toml"][..],
+        &["mesh", "layup", "a.layup.toml", "--out", "a.msh"],
+    ] {
+        let run = workplace.run(&[command, &["--eta", "20%"]].concat());
+        assert_eq!(run.code, 2);
+        let expected = "expected positions from 0 at the root to 1 at the tip";
+        assert!(run.err.contains(expected), "{}", run.err);
+    }
 }
 
 /// A turbine file of windIO is read as a layup file, and written as one.

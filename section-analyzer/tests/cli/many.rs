@@ -121,7 +121,7 @@ fn problems_of_all_sections_are_reported_and_the_others_are_written() {
         "error: one/b.section.toml: the section is loose at node ",
         "error: none.section.toml: cannot be read: no such file",
         "error: one/a.section.toml:1: physical surface \"web\"",
-        "error: one/a.section.toml:9: material \"steel\": nu is 0.7",
+        "error: one/a.section.toml:9: material \"steel\": poisson is 0.7",
         "error: one/a.section.toml:17: the mesh has no physical surface \"wib\"",
     ];
     assert_eq!(reported.len(), starts.len(), "{}", run.err);

@@ -64,9 +64,7 @@ fn a_run_without_the_option_removes_the_file() {
     assert!(again.out.contains("Unchanged since"), "{}", again.out);
     let run = workplace.run(&["analyze", "a.section.toml"]);
     assert!(!run.out.contains("Discretization error"), "{}", run.out);
-    let removed = format!(
-        "\nRemoved: results of an earlier run (--sensitivity and --mesh-error make them)\n  {FILE}\n"
-    );
+    let removed = format!("\nRemoved: results of an earlier run\n  {FILE}\n");
     assert!(run.out.ends_with(&removed), "{}", run.out);
     assert!(!workplace.path(FILE).exists());
 }

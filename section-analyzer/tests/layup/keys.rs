@@ -341,12 +341,12 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "count = 20, round",
         "count = -3, round",
-        "\"count\" is -3, expected a number of plies, zero or more",
+        "\"count\" is -3, expected a pure number, zero or more",
     ),
     (
         "value = [0.001, 0.001], hold",
         "value = [0.001, -0.001], hold",
-        "expected a thickness, zero or more",
+        "thickness is -0.001 at the position 0.4 along the span, expected a length, zero or more",
     ),
 ];
 

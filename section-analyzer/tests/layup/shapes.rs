@@ -28,9 +28,20 @@ fn shapes_that_no_blade_has_are_errors() {
         (table("[0.6, 0.3]"), "expected about 0.12 to 0.3"),
         (
             "chord = { eta = [0, 1], value = [1, -0.5] }\nnaca = \"0012\"".into(),
-            "chord is -0.5",
+            "chord is -0.5 at the position 1 along the span, expected a length greater than zero",
         ),
-        ("chord = -1\nnaca = \"0012\"".into(), "chord"),
+        (
+            "chord = -1\nnaca = \"0012\"".into(),
+            "\"chord\" is -1, expected a length greater than zero",
+        ),
+        (
+            table("[0.3, 0.12]") + "\neta = 1",
+            "eta has no effect: [shape] has \"thickness\", by which airfoils are placed",
+        ),
+        (
+            "chord = 1\n[[shape.airfoils]]\neta = 0\nthickness = 0.2\nnaca = \"0012\"".into(),
+            "help: remove it, or add to [shape] thickness = { eta = [0, 1], value = [1, 0.2] }",
+        ),
         (
             "chord = 1\norigin = { eta = [0, 1], value = [0.3, 25] }\nnaca = \"0012\"".into(),
             "origin is 25 at the position 1",

@@ -216,11 +216,12 @@ pub(super) fn key_text(key: &str) -> String {
     if !key.is_empty() && key.chars().all(is_bare) {
         key.to_owned()
     } else {
-        quoted(key)
+        basic_string(key)
     }
 }
 
-fn quoted(text: &str) -> String {
+/// A text as TOML writes it: a basic string.
+pub fn basic_string(text: &str) -> String {
     let mut quoted = String::from("\"");
     for letter in text.chars() {
         match letter {
@@ -234,14 +235,14 @@ fn quoted(text: &str) -> String {
 
 pub(super) fn text(value: &Value) -> String {
     match &value.kind {
-        Kind::Text(text) => quoted(text),
+        Kind::Text(text) => basic_string(text),
         Kind::Integer(number) => number.to_string(),
         Kind::Number(number) if number.is_nan() => "nan".to_owned(),
         // The shortest digits that are read as the same number.
         Kind::Number(number) => format!("{number:?}"),
         Kind::Boolean(flag) => flag.to_string(),
         // No key has a date: the reader of the card reports it.
-        Kind::Date => quoted("a date"),
+        Kind::Date => basic_string("a date"),
         Kind::Array(items) => {
             let items: Vec<_> = items.iter().map(text).collect();
             format!("[{}]", items.join(", "))

@@ -26,6 +26,10 @@ impl<'a> Table<'a> {
                 let table = Table::new(self.document, entries, title, entry.line);
                 Some(self.describe(key, table))
             }
+            Kind::Array(items) if items.iter().any(|item| matches!(item.kind, Kind::Table(_))) => {
+                let expected = format!("one table [{}]", self.path_of(key));
+                self.wrong_value(key, &entry.value, &expected)
+            }
             _ => self.wrong_value(key, &entry.value, "a table"),
         }
     }

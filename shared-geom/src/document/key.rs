@@ -305,21 +305,12 @@ impl Value for Vec<usize> {
 /// A quantity in SI units.
 impl Value for f64 {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        let (dimension, is_right, range): (_, fn(f64) -> bool, _) = match key.kinds[0] {
-            ValueKind::Positive(dimension) => {
-                (dimension, |found| found > 0.0, " greater than zero")
-            }
-            ValueKind::NotNegative(dimension) => {
-                (dimension, |found| found >= 0.0, ", zero or more")
-            }
-            _ => (key.dimension(), |_| true, ""),
-        };
-        let found = table.quantity(key.name, dimension)?;
-        if is_right(found) {
-            return Some(found);
+        let found = table.quantity(key.name, key.dimension())?;
+        if !key.has_sign(found) {
+            table.wrong(key.name, &key.expected_number());
+            return None;
         }
-        table.wrong(key.name, &key.expected_or(|| format!("{dimension}{range}")));
-        None
+        Some(found)
     }
 }
 

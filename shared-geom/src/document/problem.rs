@@ -52,6 +52,12 @@ pub enum DocumentProblem {
         /// The files of the folder that was searched.
         known: Vec<String>,
     },
+    /// A folder in place of a file.
+    #[error("cannot be read: it is a folder")]
+    Folder {
+        /// Its files.
+        files: Vec<String>,
+    },
     /// The text is no TOML.
     #[error("not valid TOML: {reason}")]
     Syntax {
@@ -241,6 +247,14 @@ impl Explain for DocumentProblem {
             Self::Absent { known, .. } if known.is_empty() => None,
             Self::NoFile { name, known, .. } | Self::Absent { name, known } => {
                 Some(nearest_file(name, known))
+            }
+            Self::Folder { files } => {
+                let is_input = |file: &&String| file.ends_with(".toml");
+                let mut named: Vec<_> = files.iter().filter(is_input).cloned().collect();
+                if named.is_empty() {
+                    named.clone_from(files);
+                }
+                (!named.is_empty()).then(|| format!("name a file in it: {}", listed(&named)))
             }
             Self::UnitsOfIncluded => {
                 Some("its numbers count in the units of the file that includes it".to_owned())

@@ -18,7 +18,7 @@ const WORDS: [&str; 15] = [
     "axes",
     "axis_in",
     "inertia",
-    "stands_in",
+    "fixed_to",
     "interpolation",
     "outside",
     "shape",

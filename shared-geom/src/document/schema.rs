@@ -131,6 +131,25 @@ impl KeySchema {
         })
     }
 
+    /// Whether a number has the sign of its first kind of value.
+    pub fn has_sign(&self, number: f64) -> bool {
+        match self.kinds[0] {
+            ValueKind::Positive(_) => number > 0.0,
+            ValueKind::NotNegative(_) => number >= 0.0,
+            _ => true,
+        }
+    }
+
+    /// Expected number, for messages: as declared, or from dimension and sign.
+    pub fn expected_number(&self) -> String {
+        let sign = match self.kinds[0] {
+            ValueKind::Positive(_) => " greater than zero",
+            ValueKind::NotNegative(_) => ", zero or more",
+            _ => "",
+        };
+        self.expected_or(|| format!("{}{sign}", self.dimension()))
+    }
+
     /// Dimension of the numbers of its first kind of value.
     pub fn dimension(&self) -> Dimension {
         match self.kinds[0] {

@@ -30,9 +30,17 @@ pub(super) fn syntax_problems(
         return problems;
     }
     let mut reported: Vec<(usize, String)> = Vec::new();
+    // Heads of tables that are repeated: their keys are no further mistake.
+    let mut repeated: Vec<usize> = Vec::new();
     for (i, error) in errors.iter().enumerate() {
         let at = error.span().map_or(0, |span| span.start);
         let line = lines.at(at);
+        let head = head_of(text, at).filter(|_| error.message() == DUPLICATE);
+        let is_head = head.is_some_and(|head| lines.at(head) == line);
+        repeated.extend(head.filter(|_| is_head));
+        if !is_head && head.is_some_and(|head| repeated.contains(&head)) {
+            continue;
+        }
         if reported.len() == SHOWN {
             let count = errors.len() - i;
             let problem = DocumentProblem::MoreSyntax { count };
@@ -45,13 +53,51 @@ pub(super) fn syntax_problems(
         };
         let one = (line, reason);
         if !reported.contains(&one) {
-            let (reason, help) = (one.1.clone(), number(text, at).or_else(|| unit(text, at)));
+            let help = match is_head {
+                true => several(text, at),
+                false => number(text, at)
+                    .or_else(|| comma(text, at))
+                    .or_else(|| unit(text, at)),
+            };
+            let reason = one.1.clone();
             let problem = DocumentProblem::Syntax { reason, help };
             problems.push(SourceLocation::line(file, line), &problem);
             reported.push(one);
         }
     }
     problems
+}
+
+/// Offset of the head of the table with the text at an offset.
+fn head_of(text: &str, at: usize) -> Option<usize> {
+    let end = at + text.get(at..)?.find('\n').unwrap_or(text.len() - at);
+    let mut begin = 0;
+    let lines = text.get(..end)?.split_inclusive('\n').map(|line| {
+        begin += line.len();
+        (begin - line.len(), line)
+    });
+    let heads = lines.filter(|(_, line)| line.trim_start().starts_with('['));
+    heads.last().map(|head| head.0)
+}
+
+/// The remedy for the repeated head of a table, at an offset.
+fn several(text: &str, at: usize) -> Option<String> {
+    let line = text.get(head_of(text, at)?..)?.lines().next()?;
+    let head = header(line);
+    let is_single = !head.starts_with("[[");
+    is_single
+        .then(|| format!("keep one of them; tables of which there may be several are [{head}]"))
+}
+
+/// The correct form of a number with a decimal comma, in the line at an offset.
+fn comma(text: &str, at: usize) -> Option<String> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text[begin..].lines().next()?;
+    let value = line.split(['=', '#']).nth(1)?.trim();
+    let (whole, part) = value.split_once(',')?;
+    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|one| one.is_ascii_digit());
+    let is_number = is_digits(whole.trim_start_matches(['+', '-'])) && is_digits(part);
+    is_number.then(|| format!("TOML wants a point in a number: {whole}.{part}"))
 }
 
 /// A repeated key, and the line of the first.

@@ -110,11 +110,15 @@ error: a.toml:3: \"joined\": \"70,5GPa\" cannot be read, expected a number and a
 
 #[test]
 fn a_folder_is_no_file() {
-    let shown = Document::read(Path::new(".")).unwrap_err();
-    assert_eq!(
-        shown.to_string(),
-        "error: .: cannot be read: it is a folder"
-    );
+    let folder = tempfile::tempdir().unwrap();
+    let shown = || Document::read(folder.path()).unwrap_err().to_string();
+    let expected = "cannot be read: it is a folder";
+    assert!(shown().ends_with(expected), "{}", shown());
+    for name in ["a.png", "b.toml"] {
+        std::fs::write(folder.path().join(name), "").unwrap();
+    }
+    let expected = format!("{expected}\n  help: name a file in it: b.toml");
+    assert!(shown().ends_with(&expected), "{}", shown());
 }
 
 #[test]
@@ -158,6 +162,7 @@ fn slips_of_syntax_are_reported_once_and_with_what_is_meant() {
         ("a = -.5e3", "-0.5e3"),
         ("a = 5.", "5.0"),
         ("a = 2.e-3 # x", "2.0e-3"),
+        ("a = -70,05 # x", "-70.05"),
     ] {
         let shown = reported(text);
         assert!(shown.ends_with(&format!(": {meant}")), "{text}: {shown}");
@@ -184,6 +189,12 @@ fn keys_that_are_there_twice_are_named_with_the_line_of_the_first() {
         let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
         assert!(shown.contains(expected), "{shown}");
     }
+    let text = "[a]\nx = 1\ny = 2\n[a] # once more\nx = 1\ny = 2\n[b]\nx = 1\nx = 2\n";
+    let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
+    let expected = "error: a.toml:4: not valid TOML: duplicate key \"a\", first on line 1\n  \
+                    help: keep one of them; tables of which there may be several are [[a]]\n\
+                    error: a.toml:9: not valid TOML: duplicate key \"x\", first on line 8";
+    assert_eq!(shown, expected);
 }
 
 /// Also in tables of named tables, and in lists of lists of tables.
@@ -410,6 +421,11 @@ fn an_array_of_tables_without_names_is_reported() {
         shown,
         "error: a.toml:1: \"material\" is an array of 1, expected tables [material.NAME]"
     );
+    let shown = problems("[[gravity]]\ng = 1\n", |root| {
+        assert!(root.table("gravity").is_none());
+    });
+    let expected = "error: a.toml:1: \"gravity\" is an array of 1, expected one table [gravity]";
+    assert_eq!(shown, expected);
 }
 
 #[test]

@@ -16,6 +16,19 @@ impl Color {
     pub(super) fn bytes(self) -> [u8; 3] {
         [self.0, self.1, self.2]
     }
+
+    /// The color on the way to `other`, after a part of it from 0 to 1.
+    pub fn mixed(self, other: Self, part: f64) -> Self {
+        let mix = |from: u8, to: u8| {
+            let from = f64::from(from);
+            (from + part * (f64::from(to) - from)).round() as u8
+        };
+        Self(
+            mix(self.0, other.0),
+            mix(self.1, other.1),
+            mix(self.2, other.2),
+        )
+    }
 }
 
 /// Black: text and outlines.
@@ -38,10 +51,8 @@ pub const CATEGORIES: [Color; 7] = [
 /// Color of the category number `index`, from zero; from the eighth the colors repeat,
 /// each time half way to white.
 pub fn category(index: usize) -> Color {
-    let Color(r, g, b) = CATEGORIES[index % CATEGORIES.len()];
     let fade = 0.5_f64.powi((index / CATEGORIES.len()).min(3) as i32);
-    let pale = |channel: u8| (255.0 - (255.0 - f64::from(channel)) * fade).round() as u8;
-    Color(pale(r), pale(g), pale(b))
+    CATEGORIES[index % CATEGORIES.len()].mixed(WHITE, 1.0 - fade)
 }
 
 /// Ten evenly spaced colors of "viridis".

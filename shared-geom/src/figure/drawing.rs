@@ -45,10 +45,15 @@ impl Drawing {
         })
     }
 
-    /// Points and color of each line, in the order in which they are drawn.
-    pub fn lines(&self) -> impl Iterator<Item = (&[[f64; 2]], Color)> {
+    /// Points, color and width \[figure pixels\] of each line, in the order in which they are drawn,
+    /// dash by dash.
+    pub fn lines(&self) -> impl Iterator<Item = (&[[f64; 2]], Color, f64)> {
         self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Line { points, color, .. } => Some((points.as_slice(), *color)),
+            Shape::Line {
+                points,
+                width,
+                color,
+            } => Some((points.as_slice(), *color, *width)),
             _ => None,
         })
     }

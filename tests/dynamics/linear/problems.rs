@@ -44,6 +44,10 @@ fn unknown_names() {
         &shown,
         &["\"plaze\" of --output", "did you mean \"place\"?"],
     );
+    // A column of three components.
+    let column = "[[output.column]]\nname = \"way\"\nquantity = \"displacement\"\nof = \"a\"\n";
+    let shown = refused(&format!("{BODY}{column}"), &["push"], &["way"], None);
+    check(&shown, &["\"way\" of --output", "did you mean \"way_x\"?"]);
 }
 
 #[test]

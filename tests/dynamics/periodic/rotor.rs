@@ -43,7 +43,7 @@ pub fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: &s
          locked = [\"z\", \"about x\", \"about y\", \"about z\"]\n\
          [[joint]]\nname = \"shaft\"\nkind = \"revolute\"\nnodes = [\"mast\", \"hub\"]\n\
          axis = [0, 0, 1]\nangle = \"{angle}\"\n\
-         [[spring]]\nname = \"tower\"\nnode = \"mast\"\nstands_in = \"{fixed}\"\n\
+         [[spring]]\nname = \"tower\"\nnode = \"mast\"\nfixed_to = \"{fixed}\"\n\
          stiffness = [{kx:?}, {ky:?}, 0]\ndamping = [{cx:?}, {cy:?}, 0]\n"
     );
     for k in 0..3 {

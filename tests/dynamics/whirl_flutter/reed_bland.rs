@@ -220,7 +220,7 @@ fn modes_and_multipliers_are_the_same() {
             .replace("[hub]\naxis = [0, 0, 1]\n", "")
             .replace("nodes = [\"propeller\"]", "nodes = [\"nacelle\"]")
             .replace(
-                "node = \"propeller\"\nstands_in = \"world\"",
+                "node = \"propeller\"\nfixed_to = \"world\"",
                 "node = \"nacelle\"",
             )
             .replace(

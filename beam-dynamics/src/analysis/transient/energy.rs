@@ -14,11 +14,13 @@
 //! discretization. It is compared every few steps with
 //!
 //! ```text
-//! G > 0.1 S + U ,   S = E_kin(0) + |E_el(0)| + sum int |P_e| dt + falls of potentials
+//! G > g S + U ,     S = E_kin(0) + |E_el(0)| + sum int |P_e| dt + falls of potentials
 //!                   U = sum h/2 |P_1 - P_0|
 //! ```
 //!
-//! U being the possible error of the trapezoid if powers are not resolved. The dissipation of
+//! U being the possible error of the trapezoid if powers are not resolved, and g = 0.1, or 0.02 for
+//! schemes without damping, whose gains continue as long as the run; their energy may alternate from
+//! step to step, and the larger of two successive gains is compared. The dissipation of
 //! dampers is excluded from this G, which is therefore too small: the work of a damper too stiff
 //! for the steps is unknown.
 
@@ -33,11 +35,16 @@ use super::multibody::Multibody;
 mod finding;
 
 pub(super) use finding::Finding;
+use finding::damps;
 
 /// Steps between two checks of the energy.
 const LOOKED_AT: usize = 16;
+/// The step before a check.
+const BEFORE: usize = LOOKED_AT - 1;
 /// Part of the total input above which a gain is reported, if it lasts for two checks.
 const GAINED: f64 = 0.1;
+/// The same for schemes without damping.
+const GAINED_UNDAMPED: f64 = 0.02;
 /// Part above which it is reported at once.
 const SURELY: f64 = 1.0;
 /// Error of the iteration, relative to the size of the model and in radians.
@@ -118,6 +125,12 @@ pub(super) struct EnergyWatch {
     then: Vec<Energy>,
     /// Largest decrease of potentials: elastic, of gravity, electric [J].
     falls: [f64; 3],
+    /// Part of the total input above which a gain is reported.
+    gained: f64,
+    /// Whether the energy can alternate from step to step.
+    alternates: bool,
+    /// The balance at the step before a check, and the energies of the elements.
+    before: Option<(Look, Vec<Energy>)>,
     /// Energies of the error of the iteration: of positions [J], and of displacements in a
     /// step [J s^2].
     left: [f64; 2],
@@ -181,6 +194,7 @@ impl EnergyWatch {
         });
         let exchangers = exchangers.collect();
         let changes = model.gravity_drive.constant().is_none();
+        let alternates = !damps(settings.scheme);
         let count = system.element_count();
         let start: Vec<_> = (0..count)
             .map(|element| system.energy_of(element, at, &mut work))
@@ -193,6 +207,9 @@ impl EnergyWatch {
             then: Vec::new(),
             start,
             falls: [0.0; 3],
+            gained: if alternates { GAINED_UNDAMPED } else { GAINED },
+            alternates,
+            before: None,
             left: left_over(system, at, settings.newton.correction.max(LEFT)),
             steps: 0,
             length: f64::INFINITY,
@@ -226,8 +243,13 @@ impl EnergyWatch {
         }
         self.steps += 1;
         self.length = length;
-        if self.steps.is_multiple_of(LOOKED_AT) {
-            self.look(dae, conditions, time);
+        match self.steps % LOOKED_AT {
+            0 => self.look(dae, conditions, time),
+            BEFORE if self.alternates => {
+                let look = self.evaluate(dae, conditions, time);
+                self.before = Some((look, self.now.clone()));
+            }
+            _ => {}
         }
     }
 
@@ -253,17 +275,26 @@ impl EnergyWatch {
         self.latest.balance
     }
 
-    fn look(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) {
+    /// The balance at a state.
+    fn evaluate(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) -> Look {
         let system = &dae.model.system;
         for (element, now) in self.now.iter_mut().enumerate() {
             *now = system.energy_of(element, (dae.state(), conditions), &mut self.work);
         }
-        let look = self.account(dae.impulses.work, time);
+        self.account(dae.impulses.work, time)
+    }
+
+    /// Checks the energy, and the one of the step before if that is larger.
+    fn look(&mut self, dae: &Multibody<'_>, conditions: &Conditions, time: f64) {
+        let look = self.evaluate(dae, conditions, time);
         self.latest = look;
+        let before = self.before.take();
+        let before = before.filter(|(before, _)| before.gain > look.gain);
+        let (look, energies) = before.unwrap_or_else(|| (look, self.now.clone()));
         let [of_positions, ways] = self.left;
         let left = of_positions + ways / (self.length * self.length);
         let is_above = |part: f64| look.gain > part * look.scale + look.doubt + left;
-        if !is_above(GAINED) {
+        if !is_above(self.gained) {
             if !self.is_found {
                 self.since = None;
             }
@@ -272,9 +303,9 @@ impl EnergyWatch {
         let is_second = self.since.is_some();
         if !is_second || look.gain > self.largest.gain {
             self.largest = look;
-            self.then.clone_from(&self.now);
+            self.then = energies;
         }
-        self.since.get_or_insert(time);
+        self.since.get_or_insert(look.time);
         self.is_found |= is_second || is_above(SURELY);
     }
 

@@ -162,6 +162,10 @@ impl Element for Beam {
         laws.chain(self.electrodes.signals()).for_each(visit);
     }
 
+    fn has_kinks(&self) -> bool {
+        self.points.iter().any(|point| point.law.has_kinks())
+    }
+
     fn evaluate(
         &self,
         at: &Local<'_>,

@@ -116,6 +116,14 @@ impl<const N: usize> LawKind<N> {
         }
     }
 
+    /// Whether the force may have a kink or a jump: by two slopes, a table, or an expression.
+    pub(super) fn has_kinks(&self) -> bool {
+        matches!(
+            self,
+            Self::Bilinear(_) | Self::Table(_) | Self::Expression(_)
+        )
+    }
+
     /// Whether the force depends on the rate of strain.
     pub fn is_viscous(&self) -> bool {
         match self {

@@ -225,6 +225,10 @@ impl Element for Rod {
         self.law.signals().chain([&self.relaxed]).for_each(visit);
     }
 
+    fn has_kinks(&self) -> bool {
+        self.law.has_kinks()
+    }
+
     fn evaluate(
         &self,
         at: &Local<'_>,

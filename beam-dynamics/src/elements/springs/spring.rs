@@ -309,6 +309,10 @@ impl Element for Spring {
         self.law.each_signal(visit);
     }
 
+    fn has_kinks(&self) -> bool {
+        self.law.has_kinks()
+    }
+
     fn evaluate(
         &self,
         at: &Local<'_>,

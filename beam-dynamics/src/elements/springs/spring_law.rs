@@ -150,6 +150,13 @@ impl SpringLaw {
         }
     }
 
+    pub(super) fn has_kinks(&self) -> bool {
+        match self {
+            Self::Together(law) => law.has_kinks(),
+            Self::Apart { .. } => self.apart().any(|part| part.1.has_kinks()),
+        }
+    }
+
     pub(super) fn keeps_energy(&self) -> bool {
         match self {
             Self::Together(law) => law.keeps_energy(),

@@ -112,7 +112,10 @@ fn pieces(
     let tables = blade.tables(&PIECE);
     if tables.is_empty() {
         let name = blade.given(&NAME).unwrap_or_default();
-        blade.note(&PIECE, &InputProblem::NoPieces { blade: name });
+        // Pieces of another form are noted already.
+        if !blade.has(&PIECE) || blade.is_list(&PIECE) {
+            blade.note(&PIECE, &InputProblem::NoPieces { blade: name });
+        }
         return (None, None);
     }
     let read: Vec<_> = tables

@@ -46,9 +46,9 @@ impl ModelBuilder {
             })
     }
 
-    /// Whether rotors could not be expanded.
+    /// Whether rotors could not be expanded, or blades could not be read.
     pub fn has_broken_rotors(&self) -> bool {
-        !self.broken_rotors.is_empty()
+        !(self.broken_rotors.is_empty() && self.broken_blades.is_empty())
     }
 
     /// Whether a blade of this name could not be read.

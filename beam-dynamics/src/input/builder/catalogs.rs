@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::ModelBuilder;
 use crate::elements::strips::RotorDisk;
-use crate::input::aerodynamics::{Aerodynamics, Disks};
+use crate::input::aerodynamics::{Aerodynamics, Disks, remark_on_density};
 use crate::input::drives;
 use crate::input::frames::Frames;
 
@@ -18,6 +18,9 @@ impl ModelBuilder {
     /// Sets the air, the airfoils and the inflows.
     pub fn set_aerodynamics(&mut self, aerodynamics: Aerodynamics) {
         self.add_remarks(aerodynamics.airfoils.remarks.clone());
+        let air = aerodynamics.air.as_ref();
+        let dense = air.and_then(|air| remark_on_density(&air.atmosphere));
+        self.add_remarks(dense.into_iter().collect());
         self.aerodynamics = aerodynamics;
     }
 

@@ -140,7 +140,7 @@ pub enum LawProblem {
         rod: String,
     },
     /// A spring between two nodes in the ground frame.
-    #[error("\"stands_in\" is for springs of one node with \"stiffness\" and \"damping\"")]
+    #[error("\"fixed_to\" is for springs of one node with \"stiffness\" and \"damping\"")]
     SupportFrame,
     /// A force between nodes without a force.
     #[error("nothing acts between the nodes, expected \"tension\", \"force\" or \"moment\"")]

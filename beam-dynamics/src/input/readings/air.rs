@@ -129,6 +129,7 @@ fn rotor(table: &Table<'_>, builder: &ModelBuilder) -> Option<String> {
         Some(name) if known.contains(&name) => return Some(name),
         Some(name) if builder.is_of_broken_part(&name) => return None,
         _ if builder.has_broken_air() => return None,
+        _ if known.is_empty() && builder.has_broken_rotors() => return None,
         None if builder.has_broken_rotors() => return None,
         Some(name) => (OF, format!("\"{name}\" is not a rotor in the air")),
         None => {

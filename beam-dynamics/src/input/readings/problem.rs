@@ -1,6 +1,6 @@
 //! Problems of a reading.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, quoted};
 
 use crate::input::number::short_number;
 
@@ -118,7 +118,7 @@ impl Explain for ReadingProblem {
                 Some("\"zyx\" is yaw, pitch, roll; \"zxz\" precession, nutation, spin".to_owned())
             }
             Self::NotOfJoint { known, .. } => {
-                Some(format!("its nodes: {}", listed(known)))
+                Some(format!("its nodes: {}", quoted(known)))
             }
             Self::Several { .. } => Some("choose one \"component\"".to_owned()),
             Self::NotSensed { .. } => {
@@ -129,7 +129,7 @@ impl Explain for ReadingProblem {
                  driven, finite-volume beams and laws by expressions; columns of output can show it"
                     .to_owned(),
             ),
-            Self::NoStrips { known, .. } => Some(if known.is_empty() { "the model has no strips in the air".to_owned() } else { format!("with strips: {}", listed(known)) }),
+            Self::NoStrips { known, .. } => Some(if known.is_empty() { "the model has no strips in the air".to_owned() } else { format!("with strips: {}", quoted(known)) }),
             Self::Position { .. } => Some(
                 "\"at\" is a part of the radius or of the length, \"strip\" a number from the root"
                     .to_owned(),
@@ -138,19 +138,13 @@ impl Explain for ReadingProblem {
             Self::OffStrips { .. } => Some(
                 "strips are at Gauss points; \"strip\" selects the first or the last".to_owned(),
             ),
-            Self::Rotor { known, .. } => Some(if known.is_empty() { "no blade of the model has [blade.aerodynamics]".to_owned() } else { format!("rotors: {}", listed(known)) }),
+            Self::Rotor { known, .. } => Some(if known.is_empty() { "no blade of the model has [blade.aerodynamics]".to_owned() } else { format!("rotors: {}", quoted(known)) }),
             Self::Definition { known, .. } => {
-                Some(format!("definitions with it: {}", listed(known)))
+                Some(format!("definitions with it: {}", quoted(known)))
             }
             Self::AxesOfOther => {
                 Some("or sense three components, and turn them by an expression".to_owned())
             }
         }
     }
-}
-
-/// Names in quotes.
-fn listed(names: &[impl std::fmt::Display]) -> String {
-    let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    quoted.join(", ")
 }

@@ -8,7 +8,7 @@ use shared_geom::keys;
 use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 
-use super::{DAMPERS, ORIENTATION, STANDS_IN, STIFFNESSES, six};
+use super::{DAMPERS, FIXED_TO, ORIENTATION, STIFFNESSES, six};
 use crate::elements::laws::{Law, LawKind};
 use crate::elements::springs::{Spring, SpringLaw};
 use crate::input::builder::ModelBuilder;
@@ -71,8 +71,8 @@ pub(super) fn is_one(table: &Table<'_>) -> bool {
 pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder, label: &str) -> Option<Spring> {
     let words = format!("spring \"{label}\"");
     let nodes = nodes(table, builder, &words);
-    if table.has(&STANDS_IN) {
-        table.note(&STANDS_IN, &LawProblem::SupportFrame);
+    if table.has(&FIXED_TO) {
+        table.note(&FIXED_TO, &LawProblem::SupportFrame);
     }
     let (turn, position) = (table.get(&ORIENTATION), table.get(&AT));
     let frame = builder.frames().of(table);

@@ -302,4 +302,27 @@ mod tests {
             input.remarks
         );
     }
+
+    #[test]
+    fn wide_chords_and_dense_air_are_remarked() {
+        let wide = rotor("blades = 3", &[1]).replace("chord = 0.3", "chord = 300");
+        let remarks = read_beside(&(wide + "[air]\ndensity = 1225\n"), &[]);
+        let remarks = remarks.unwrap().remarks;
+        for expected in [
+            "blade \"b0\": the chord is 300 m, more than the length of the blade, 4 m: check the unit",
+            "[air]: the density is 1225 kg/m^3, more than of water: check the unit",
+        ] {
+            assert!(
+                remarks.iter().any(|remark| remark == expected),
+                "{remarks:?}"
+            );
+        }
+        let sound = rotor("blades = 3", &[1]) + "[air]\ndensity = 1025\n";
+        let remarks = read_beside(&sound, &[]).unwrap().remarks;
+        assert!(
+            !remarks
+                .iter()
+                .any(|remark| remark.contains("check the unit"))
+        );
+    }
 }

@@ -8,6 +8,7 @@ use shared_geom::units::Dimension;
 
 use crate::input::aerodynamics::family::{self, AIRFOIL, Family, THICKNESS};
 use crate::input::aerodynamics::{Airfoils, MachLimit, StripProblem, mach_limits};
+use crate::input::number::short_number;
 
 keys! {
     /// Stations from the root to the tip, unless there is a `file`; linear between them.
@@ -85,6 +86,19 @@ impl Stations {
     /// Their sections.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         self.stations.iter().map(|station| &station.airfoil)
+    }
+
+    /// A remark on a chord that is longer than the blade of `length` \[m\].
+    pub fn remark_on_chord(&self, user: &str, length: f64) -> Option<String> {
+        let chords = self.stations.iter().map(|station| station.chord);
+        let chord = chords.fold(0.0, f64::max);
+        let [shown, of_blade] = [chord, length].map(|x| short_number(x, 6));
+        (chord > length).then(|| {
+            format!(
+                "{user}: the chord is {shown} m, more than the length of the blade, {of_blade} m: \
+                 check the unit"
+            )
+        })
     }
 
     /// Largest Mach numbers of the tables; `radius` is the distance from the shaft at a position

@@ -170,7 +170,7 @@ fn velocities_without_a_run_and_loose_nodes_are_reported() {
         Ok(_) => panic!("accepted"),
         Err(text) => text,
     };
-    assert!(text.contains("node \"a\" has a \"velocity\", but there is no [transient]"));
+    assert!(text.contains("node \"a\" has \"velocity\", but there is no [transient]"));
     let loose = BODY.replace(
         "[[body]]",
         "[[node]]\nname = \"b\"\nposition = [0, 0, 0]\n[[body]]",

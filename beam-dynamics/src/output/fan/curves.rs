@@ -1,8 +1,8 @@
 //! Lines and marks of the modes, and rings for measured points.
 
-use shared_geom::figure::{Axes, Drawing, Mark, Stroke};
+use shared_geom::figure::{Axes, Color, Drawing, Mark, Stroke};
 
-use super::{Curve, FanPlot};
+use super::{Curve, FanPlot, looks};
 use crate::result::ModeKind;
 
 pub(super) use shared_geom::figure::BLACK;
@@ -15,6 +15,8 @@ pub(super) const MARK: f64 = 9.0;
 const BETWEEN_MARKS: f64 = 80.0;
 /// Width of a line \[figure pixels\].
 pub(super) const LINE: f64 = 4.0;
+/// Additional width of a line and size of a mark for each one that covers it.
+const RIM: f64 = 6.0;
 /// Critical speeds beyond which their marks are small.
 const MANY: usize = 20;
 
@@ -53,9 +55,12 @@ pub(super) fn runs(
 
 /// Draws the lines, the measured points, and the marks.
 pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, axes: &Axes) {
-    for curve in &plot.curves {
+    let lines = plot.curves.iter().map(|c| (c.color, &*c.frequencies));
+    let lines: Vec<_> = lines.collect();
+    let covers = looks::covers(&lines);
+    for (curve, covers) in plot.curves.iter().zip(&covers) {
         for run in frequency_runs(plot, curve, axes) {
-            curve.stroke().draw(drawing, &run);
+            curve.stroke(*covers).draw(drawing, &run);
         }
     }
     // Below the marks, which are not covered.
@@ -63,13 +68,14 @@ pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, axes: &Axes) {
         Mark::Ring.draw(drawing, axes.position(point), RING, BLACK);
     }
     let step = marked_every(plot, axes);
-    for curve in &plot.curves {
+    for (curve, covers) in plot.curves.iter().zip(covers) {
+        let size = MARK + RIM * covers as f64;
         for (k, frequency) in curve.frequencies.iter().enumerate() {
             let is_end = curve.end().is_some_and(|end| end.0 == k);
             let shown = frequency.filter(|_| k % step == 0 || is_end);
             if let (Some(frequency), Some(kind)) = (shown, curve.kinds[k]) {
                 let position = axes.position([plot.speeds[k], frequency]);
-                mark(kind).draw(drawing, position, MARK, curve.color);
+                mark(kind).draw(drawing, position, size, curve.color_of(kind));
             }
         }
     }
@@ -99,9 +105,18 @@ pub(super) fn mark(kind: ModeKind) -> Mark {
 }
 
 impl Curve {
-    /// The line of the curve.
-    pub fn stroke(&self) -> Stroke {
-        Stroke::new(LINE, self.color).dashed(self.pattern)
+    /// The line of the curve, broader below the number of lines that cover it.
+    pub fn stroke(&self, covers: usize) -> Stroke {
+        Stroke::new(LINE + RIM * covers as f64, self.color).dashed(self.pattern)
+    }
+
+    /// The color of its marks at speeds where it has this kind.
+    fn color_of(&self, kind: ModeKind) -> Color {
+        if kind == self.kind {
+            self.color
+        } else {
+            looks::color(kind)
+        }
     }
 }
 

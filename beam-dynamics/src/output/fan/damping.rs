@@ -19,7 +19,7 @@ pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, above: &Axes) {
     axes.draw_zero(drawing);
     for curve in &plot.curves {
         for run in curves::runs(&plot.speeds, &curve.damping, |point| axes.position(point)) {
-            curve.stroke().draw(drawing, &run);
+            curve.stroke(0).draw(drawing, &run);
         }
     }
     axes.draw(drawing, Some(&plot.speed_title()), "damping ratio [%]");

@@ -1,9 +1,10 @@
 //! Curves of the Campbell diagram: modes in the fixed system.
 
-use shared_geom::figure::CATEGORIES;
+use shared_geom::figure::Color;
 
-use super::{COLORS, Curve};
-use crate::result::{FixedLine, FixedTable, FrequencyTable, Whirl};
+use super::groups::{SAME_DAMPING, joined};
+use super::{Curve, looks};
+use crate::result::{FixedLine, FixedPoint, FixedTable, FrequencyTable, Whirl};
 
 /// Pattern of a line by its waves around the rotor: none, one forward, one backward, more.
 fn pattern(harmonic: i32) -> usize {
@@ -45,22 +46,49 @@ pub(super) fn patterns(fixed: &FixedTable, table: &FrequencyTable) -> Vec<(usize
     found
 }
 
-/// The curves of `fixed`, the modes of `table`: modes of one name in one color.
+/// The curves of `fixed`, the modes of `table`: modes of one name in one color; those that coincide
+/// in one pattern are drawn once.
 pub(super) fn curves(fixed: &FixedTable, table: &FrequencyTable) -> Vec<Curve> {
-    let mut stems: Vec<&str> = Vec::new();
-    let mut curves = Vec::with_capacity(fixed.lines.len());
-    for line in &fixed.lines {
-        let known = stems.iter().position(|stem| *stem == line.stem);
-        let index = known.unwrap_or_else(|| {
-            stems.push(&line.stem);
-            stems.len() - 1
-        });
-        curves.push(curve(line, index, table));
-    }
+    let groups = groups(fixed);
+    let first = groups.iter().map(|lines| lines[0]);
+    let stems: Vec<_> = first.map(|line| (line.kind, line.stem.as_str())).collect();
+    let curves = groups.iter().zip(looks::colors(&stems));
     curves
+        .map(|(lines, color)| curve(lines, color, table))
+        .collect()
 }
 
-fn curve(line: &FixedLine, index: usize, table: &FrequencyTable) -> Curve {
+/// The lines of `fixed`, in groups of one name and pattern that coincide.
+fn groups(fixed: &FixedTable) -> Vec<Vec<&FixedLine>> {
+    let points = fixed.lines.iter().flat_map(|line| &line.points).flatten();
+    let highest = points.map(FixedPoint::frequency).fold(0.0, f64::max);
+    let is_same = |a: &Option<FixedPoint>, b: &Option<FixedPoint>| match (a, b) {
+        (Some(a), Some(b)) => {
+            a.kind == b.kind
+                && (a.frequency() - b.frequency()).abs() <= looks::SAME_LINE * highest
+                && (a.damping_ratio - b.damping_ratio).abs() <= SAME_DAMPING
+        }
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let mut groups: Vec<Vec<&FixedLine>> = Vec::new();
+    for line in &fixed.lines {
+        let coincides = |group: &&mut Vec<&FixedLine>| {
+            let first = group[0];
+            (first.stem == line.stem)
+                && pattern(first.harmonic) == pattern(line.harmonic)
+                && (first.points.iter().zip(&line.points)).all(|(a, b)| is_same(a, b))
+        };
+        match groups.iter_mut().find(coincides) {
+            Some(group) => group.push(line),
+            None => groups.push(vec![line]),
+        }
+    }
+    groups
+}
+
+/// The curve of lines that coincide.
+fn curve(lines: &[&FixedLine], color: Color, table: &FrequencyTable) -> Curve {
+    let line = lines[0];
     let points = || line.points.iter();
     let values = points().zip(&table.speeds).map(|(point, speed)| {
         let frequency = point.as_ref()?.frequency();
@@ -69,15 +97,20 @@ fn curve(line: &FixedLine, index: usize, table: &FrequencyTable) -> Curve {
     let zeros = line.zeros(&table.speeds);
     let last = points().rev().flatten().next().map(|point| point.kind);
     let now = last.filter(|kind| *kind != line.kind);
+    let name = match lines {
+        [line] => line.name.clone(),
+        _ => joined(&line.stem, lines.iter().map(|line| line.name.as_str())),
+    };
     Curve {
         name: match now {
-            Some(kind) => format!("{}, now {}", line.name, kind.word_in(table.style.words)),
-            None => line.name.clone(),
+            Some(kind) => format!("{name}, now {}", kind.word_in(table.style.words)),
+            None => name,
         },
+        kind: line.kind,
         kinds: points().map(|point| Some(point.as_ref()?.kind)).collect(),
         frequencies: values.collect(),
         zeros: zeros.iter().map(|s| table.style.unit.speed(*s)).collect(),
-        color: CATEGORIES[index % COLORS],
+        color,
         damping: points()
             .map(|point| Some(100.0 * point.as_ref()?.damping_ratio))
             .collect(),

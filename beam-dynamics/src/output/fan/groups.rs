@@ -1,11 +1,10 @@
 //! Modes of equal blades that coincide in the turning axes: drawn once, under one name.
 
+use super::looks::SAME_LINE;
 use crate::result::{FrequencyTable, ModeBranch, ModePoint};
 
-/// Difference of two lines, as part of the highest frequency, up to which they coincide.
-const SAME_LINE: f64 = 0.004;
-/// Difference of their damping ratios up to which they coincide [-].
-const SAME_DAMPING: f64 = 2e-3;
+/// Difference of the damping ratios up to which two lines coincide [-].
+pub(super) const SAME_DAMPING: f64 = 2e-3;
 
 /// Branches that coincide.
 #[derive(Debug, Clone)]
@@ -86,13 +85,7 @@ impl<'a> Group<'a> {
         let name = match count {
             1 => self.first.name.clone(),
             _ if count == table.blades() => format!("{stem} ({count} blades)"),
-            _ => {
-                let patterns = self.all().map(|branch| {
-                    let pattern = branch.name.get(branch.stem().len()..);
-                    pattern.unwrap_or("").trim().to_owned()
-                });
-                format!("{stem} {}", patterns.collect::<Vec<_>>().join(", "))
-            }
+            _ => joined(stem, self.all().map(|branch| branch.name.as_str())),
         };
         let last = (0..table.speeds.len()).rev();
         let last = last.filter_map(|speed| self.point(speed)).next();
@@ -102,4 +95,10 @@ impl<'a> Group<'a> {
             None => name,
         }
     }
+}
+
+/// The name of several modes that have `stem` and a pattern: `flap 1 progressive, regressive`.
+pub(super) fn joined<'a>(stem: &str, names: impl Iterator<Item = &'a str>) -> String {
+    let patterns = names.map(|name| name.strip_prefix(stem).unwrap_or(name).trim());
+    format!("{stem} {}", patterns.collect::<Vec<_>>().join(", "))
 }

@@ -2,7 +2,7 @@
 
 use shared_geom::figure::{Color, Legend, Mark, Sample, Stroke};
 
-use super::{FanPlot, curves, per_rev};
+use super::{FanPlot, curves, looks, per_rev};
 use crate::result::ModeKind;
 
 const GRAY: Color = Color(90, 90, 90);
@@ -16,7 +16,7 @@ pub(super) fn legends(plot: &FanPlot) -> [Legend; 2] {
     for kind in ModeKind::PURE.into_iter().chain(others) {
         let mut kinds = plot.curves.iter().flat_map(|curve| &curve.kinds);
         if kinds.any(|found| *found == Some(kind)) {
-            let mark = Sample::Mark(curves::mark(kind), curves::MARK, GRAY);
+            let mark = Sample::Mark(curves::mark(kind), curves::MARK, looks::color(kind));
             legend.add(kind.word_in(plot.words), mark);
         }
     }

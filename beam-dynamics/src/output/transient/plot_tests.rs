@@ -61,8 +61,8 @@ fn assert_texts(drawing: &Drawing, expected: &[&str]) {
 
 /// Colors of the lines with more than five points: the colors of curves.
 fn colors(drawing: &Drawing) -> Vec<Color> {
-    let curves = drawing.lines().filter(|(points, _)| points.len() > 5);
-    curves.map(|(_, color)| color).collect()
+    let curves = drawing.lines().filter(|(points, ..)| points.len() > 5);
+    curves.map(|(_, color, _)| color).collect()
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn runs_of_one_column_are_reported_by_color() {
     assert_eq!(found[0], found[1]);
     let second = CATEGORIES[1];
     assert_ne!(found[0], second);
-    let dashes = drawing.lines().filter(|(_, color)| *color == second);
+    let dashes = drawing.lines().filter(|(_, color, _)| *color == second);
     assert!(dashes.count() > 20);
 }
 

@@ -10,10 +10,10 @@ use std::time::Duration;
 use rayon::iter::{ParallelBridge, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::Job;
 use super::lines::Lines;
 use super::one::Outcome;
 use super::progress::Progress;
-use super::{Job, ON_REQUEST};
 use crate::cli::{NOT_REACHED, Stop, Terminal, list_removed};
 
 /// Stack of a thread \[bytes\]: as large as the stack of a main thread, so that a section
@@ -118,7 +118,7 @@ struct Listener<'a, 'b> {
     /// The sections of each warning, without a report.
     warned: BTreeMap<String, Vec<String>>,
     /// Removed results.
-    removed: Vec<PathBuf>,
+    removed: BTreeSet<PathBuf>,
     /// Reason for which the terminal accepts no more output. The run continues.
     closed: Option<std::io::Error>,
 }
@@ -134,7 +134,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             reported: 0,
             known: BTreeSet::new(),
             warned: BTreeMap::new(),
-            removed: Vec::new(),
+            removed: BTreeSet::new(),
             closed: None,
         };
         let heading = listener.lines.heading();
@@ -198,11 +198,8 @@ impl<'a, 'b> Listener<'a, 'b> {
                 .filter(|all| !all.is_empty())
                 .as_deref(),
         );
-        let listed = list_removed((&self.removed, ON_REQUEST), self.terminal);
-        let unlisted = listed.err().and_then(|stop| match stop {
-            Stop::Closed(error) => Some(error),
-            Stop::Reported(_) => None,
-        });
+        let removed: Vec<_> = self.removed.into_iter().collect();
+        let unlisted = list_removed(&removed, self.terminal).err();
         Ended {
             worst: self.lines.worst(),
             closed: self.closed.or(unlisted),

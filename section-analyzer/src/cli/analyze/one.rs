@@ -82,7 +82,7 @@ pub(in crate::cli) struct Outcome {
     pub report: String,
     /// The result files.
     pub files: Vec<PathBuf>,
-    /// Results of an earlier run with other options that this run removed.
+    /// Results of an earlier run that this run removed.
     pub removed: Vec<PathBuf>,
     /// The reported problems.
     pub problems: Option<String>,
@@ -172,7 +172,7 @@ fn analyze_checked(
     } else {
         unchanged(&files, &made_from)
     };
-    let mut removed = no_longer_requested(&files, run);
+    let earlier = files.earlier();
     let solve = || {
         let _lock = match files.lock() {
             Ok(lock) => lock,
@@ -189,29 +189,13 @@ fn analyze_checked(
         }
     };
     let (outcome, solution) = unchanged.map_or_else(solve, |outcome| (outcome, None));
-    removed.retain(|file| !file.exists());
     let outcome = Outcome {
-        removed,
+        removed: earlier.removed(),
         nodes: Some(input.section.mesh.nodes.len()),
         warnings: warnings_of(input),
         ..outcome
     };
     (outcome, solution)
-}
-
-/// Results on request of an earlier run that this run does not request.
-fn no_longer_requested(files: &OutputFiles, run: &Run) -> Vec<PathBuf> {
-    let on_request = [
-        (run.sensitivity.is_some(), files.sensitivity()),
-        (run.mesh_error, files.mesh_error()),
-    ];
-    let others = on_request
-        .into_iter()
-        .filter(|(is_requested, _)| !is_requested);
-    others
-        .map(|(_, file)| file)
-        .filter(|file| file.exists())
-        .collect()
 }
 
 /// Fingerprint of everything on which the results depend: the files that were read, and

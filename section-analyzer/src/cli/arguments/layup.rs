@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::whole_blade::part;
+
 pub(super) const MESH_LAYUP: &str = "\
 A section of a blade, from its layup
 
@@ -37,7 +39,7 @@ pub struct MeshLayupArguments {
     /// Layup file, NAME.layup.toml, turbine file of windIO, or section of PreVABS (XML)
     pub file: PathBuf,
     /// Position along the span, 0 at the root to 1 at the tip [-]
-    #[arg(long, value_name = "PART", default_value_t = 0.0)]
+    #[arg(long, value_name = "PART", default_value_t = 0.0, value_parser = part, allow_negative_numbers = true)]
     pub eta: f64,
     /// Mesh file to write; it must not exist
     #[arg(long, value_name = "FILE")]
@@ -59,7 +61,7 @@ pub struct LayupArguments {
     /// Layup file, NAME.layup.toml, turbine file of windIO, or section of PreVABS (XML)
     pub file: PathBuf,
     /// Positions along the span, 0 at the root to 1 at the tip [-]; the positions of the file if not given
-    #[arg(long, alias = "stations", value_name = "PARTS", value_delimiter = ',')]
+    #[arg(long, alias = "stations", value_name = "PARTS", value_delimiter = ',', value_parser = part, allow_negative_numbers = true)]
     pub eta: Vec<f64>,
     /// Layup file to write instead; it must not exist
     #[arg(long, value_name = "FILE", conflicts_with = "eta")]

@@ -55,7 +55,7 @@ written, else 0.";
 pub(in crate::cli) struct Formats(pub Vec<Format>);
 
 /// A position along the span.
-fn part(text: &str) -> Result<f64, &'static str> {
+pub(super) fn part(text: &str) -> Result<f64, &'static str> {
     let found = text.trim().parse::<f64>().ok();
     found
         .filter(|eta| (0.0..=1.0).contains(eta))

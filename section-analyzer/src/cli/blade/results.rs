@@ -15,9 +15,6 @@ use crate::output::{
     span_plots, span_text,
 };
 
-/// The options of results that a run without them removes.
-const ON_REQUEST: &str = "--compare, --report and complete blades make them";
-
 /// A blade whose sections do not make one.
 #[derive(Debug, thiserror::Error)]
 #[error("the blade is not written: {0}")]
@@ -65,10 +62,14 @@ pub(super) fn write(
     if let Some(other) = &results.other {
         write!(terminal.out, "\n{}", comparison_text(span, other))?;
     }
-    let (mut written, mut removed) = (Vec::new(), Vec::new());
-    let mut lost = Vec::new();
+    let old = match is_written {
+        true => Vec::new(),
+        false => old_blades(&blade, span.name, files),
+    };
+    let earlier = files.earlier().with(old.iter().cloned());
+    let (mut written, mut lost) = (Vec::new(), Vec::new());
     let done = write_tables(span, files, figures, &mut written)
-        .and_then(|()| write_requested(results, files, (&mut written, &mut removed)))
+        .and_then(|()| write_requested(results, files, &mut written))
         .and_then(|()| {
             if is_written {
                 write_blade(
@@ -79,7 +80,8 @@ pub(super) fn write(
                     (&mut written, &mut lost),
                 )
             } else {
-                removed.extend(remove_blade(&blade, span.name, files));
+                // A missing file is ignored.
+                old.iter().for_each(|file| drop(std::fs::remove_file(file)));
                 Ok(())
             }
         });
@@ -87,7 +89,7 @@ pub(super) fn write(
         writeln!(terminal.out, "  {text}")?;
     }
     list("Written", &written, terminal)?;
-    list_removed((&removed, ON_REQUEST), terminal)?;
+    list_removed(&earlier.removed(), terminal)?;
     let mut end = Ok(());
     for problem in problems {
         end = Err(terminal.report(&Unsound(problem.to_string()), NOT_REACHED));
@@ -131,7 +133,7 @@ fn write_tables(
 fn write_requested(
     results: &Results<'_>,
     files: &SpanFiles,
-    (written, removed): (&mut Vec<PathBuf>, &mut Vec<PathBuf>),
+    written: &mut Vec<PathBuf>,
 ) -> Result<(), OutputProblem> {
     let other = results.other.as_ref();
     let table = other.map(|other| comparison_csv(results.span, other));
@@ -139,7 +141,7 @@ fn write_requested(
         (table.as_deref(), files.comparison()),
         (results.page.as_deref(), files.report()),
     ] {
-        write_or_remove(text, file, (&mut *written, &mut *removed))?;
+        write_or_remove(text, file, written)?;
     }
     Ok(())
 }
@@ -148,7 +150,7 @@ fn write_requested(
 fn write_or_remove(
     text: Option<&str>,
     file: PathBuf,
-    (written, removed): (&mut Vec<PathBuf>, &mut Vec<PathBuf>),
+    written: &mut Vec<PathBuf>,
 ) -> Result<(), OutputProblem> {
     match text {
         Some(text) => {
@@ -156,7 +158,7 @@ fn write_or_remove(
             written.push(file);
         }
         // A missing file is ignored.
-        None => removed.extend(std::fs::remove_file(&file).ok().map(|()| file)),
+        None => drop(std::fs::remove_file(&file)),
     }
     Ok(())
 }
@@ -193,8 +195,8 @@ fn write_blade(
     Ok(())
 }
 
-/// Removes the blades of an earlier run, which had other sections; returns them.
-fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) -> Vec<PathBuf> {
+/// The files of a blade, which an earlier run may have written for other sections.
+fn old_blades(blade: &Blade, name: &str, files: &SpanFiles) -> Vec<PathBuf> {
     let mut old = vec![files.blade()];
     for format in Format::ALL
         .into_iter()
@@ -207,7 +209,5 @@ fn remove_blade(blade: &Blade, name: &str, files: &SpanFiles) -> Vec<PathBuf> {
                 .map(|(file, _)| files.format(format.name()).join(file)),
         );
     }
-    // A missing file is ignored.
-    old.retain(|file| std::fs::remove_file(file).is_ok());
     old
 }

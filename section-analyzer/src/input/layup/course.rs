@@ -324,7 +324,7 @@ impl Value for Course {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         let dimension = key.dimension();
         if !table.is_table(key) {
-            return table.quantity(key.name, dimension).map(Self::constant);
+            return f64::read(table, key).map(Self::constant);
         }
         let inner = table.table(key)?.described(&COURSE);
         let (kind, is_held) = (inner.get(&COURSE_KIND), inner.get(&HOLD));
@@ -342,21 +342,34 @@ impl Value for Course {
         let (kind, is_held, (positions, value)) = (kind?, is_held?, points?);
         let in_lengths = positions.in_lengths;
         let eta = positions.all;
-        let key = [&ETA, &SPAN].into_iter().find(|key| inner.has(key));
-        let key = key.map_or(FILE.name(), |key| key.name());
+        let place = [&ETA, &SPAN].into_iter().find(|key| inner.has(key));
+        let place = place.map_or(FILE.name(), |key| key.name());
         if let Some(found) = disorder(&eta, in_lengths) {
             let expected = if in_lengths {
                 "ascending lengths from 0"
             } else {
                 "ascending positions from 0 to 1"
             };
-            inner.wrong(key, &format!("{expected}, not {found}"));
+            inner.wrong(place, &format!("{expected}, not {found}"));
+            return None;
+        }
+        let wrong = value.iter().position(|value| !key.has_sign(*value));
+        if let Some(number) = wrong {
+            table.note(
+                key,
+                &LayupFileProblem::Sign {
+                    key: key.name,
+                    found: value[number],
+                    at: eta[number],
+                    expected: key.expected_number(),
+                },
+            );
             return None;
         }
         let kind = [Kind::Monotone, Kind::Linear, Kind::Constant][kind];
         Some(Self {
             is_held,
-            lengths: in_lengths.then(|| inner.line_of(key)),
+            lengths: in_lengths.then(|| inner.line_of(place)),
             ..Self::new(eta, value, kind)
         })
     }

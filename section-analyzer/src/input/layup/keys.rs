@@ -2,8 +2,8 @@
 
 use shared_geom::blade::LINE_TABLE;
 use shared_geom::document::schema::ValueKind::{
-    Boolean, FreeMatrix, NamedTables, Numbers, Positive, Quantities, Quantity, Table as OneTable,
-    Tables, Text, Word,
+    Boolean, FreeMatrix, NamedTables, NotNegative, Numbers, Positive, Quantities, Quantity,
+    Table as OneTable, Tables, Text, Word,
 };
 use shared_geom::document::schema::{Family, TableSchema, UNITS};
 use shared_geom::document::{ByHand, Nested, NestedByName, NestedList};
@@ -119,7 +119,7 @@ keys! {
         or "0" = Course::constant(0.0), "\"20 mm\"";
     /// Thickness over chord along the span, for airfoils by their `thickness`.
     pub(super) RELATIVE_THICKNESS: Option<Course> = "thickness",
-        [Quantity(Dimension::NUMBER), OneTable(&COURSE)], optional,
+        [Positive(Dimension::NUMBER), OneTable(&COURSE)], optional,
         "{ eta = [0, 0.2, 1], value = [1, 0.4, 0.21] }";
     /// The four digits.
     pub(super) NACA: String = "naca", [Text], required, "\"4415\"";
@@ -181,10 +181,10 @@ keys! {
     /// Its material.
     pub(super) MATERIAL: String = "material", [Text], required, "\"carbon\"";
     /// Its thickness; below 1e-6 m it is absent.
-    pub(super) THICKNESS: Course = "thickness", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
+    pub(super) THICKNESS: Course = "thickness", [NotNegative(Dimension::LENGTH), OneTable(&COURSE)],
         required, "\"3 mm\"";
     /// Its number of plies.
-    pub(super) COUNT: Course = "count", [Quantity(Dimension::NUMBER), OneTable(&COURSE)],
+    pub(super) COUNT: Course = "count", [NotNegative(Dimension::NUMBER), OneTable(&COURSE)],
         required, "{ eta = [0, 0.3, 1], value = [40, 4, 2] }";
     /// Whether `count` is rounded to whole plies, so that the thickness jumps along the span.
     pub(super) ROUND: bool = "round", [Boolean], or "true" = true, "false";

@@ -181,21 +181,11 @@ impl Known {
             return None;
         }
         if table.has(&THICKNESS) {
-            let thickness = table.get(&THICKNESS)?;
-            if thickness.points().any(|(_, value)| value < 0.0) {
-                table.wrong(&THICKNESS, "a thickness, zero or more");
-                return None;
-            }
-            return Some(Stack::Thickness(thickness));
+            return table.get(&THICKNESS).map(Stack::Thickness);
         }
         let (count, round) = if table.has(&COUNT) {
             let (count, round) = (table.get(&COUNT), table.get(&ROUND));
-            let count = count?;
-            if count.points().any(|(_, value)| value < 0.0) {
-                table.wrong(&COUNT, "a number of plies, zero or more");
-                return None;
-            }
-            (Some(count), round?)
+            (Some(count?), round?)
         } else {
             (None, true)
         };

@@ -32,6 +32,28 @@ pub enum LayupFileProblem {
         /// Possible values.
         expected: String,
     },
+    /// A quantity along the span with a wrong sign.
+    #[error("{key} is {} at the position {} along the span, expected {expected}", rounded(*.found), rounded(*.at))]
+    Sign {
+        /// The key.
+        key: &'static str,
+        /// The value, in SI units.
+        found: f64,
+        /// The position, eta or a length [m].
+        at: f64,
+        /// Possible values.
+        expected: String,
+    },
+    /// A place of an airfoil that has no effect.
+    #[error("{key} has no effect: {reason}")]
+    IdlePlace {
+        /// The key.
+        key: &'static str,
+        /// The reason, as text.
+        reason: &'static str,
+        /// The remedy, as text.
+        remedy: &'static str,
+    },
     /// Digits or points that are not an airfoil.
     #[error("{0}")]
     Points(String),
@@ -190,6 +212,12 @@ impl Explain for LayupFileProblem {
             Self::Airfoil { .. } => {
                 Some("naca = \"4415\", file = \"airfoil.dat\", or [[shape.airfoils]]".into())
             }
+            Self::OffContour { .. } => Some(
+                "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
+                 along the contour"
+                    .into(),
+            ),
+            Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
             }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use shared_geom::document::{Document, Table, read_text};
+use shared_geom::document::{Document, Key, Table, read_text};
 use shared_geom::units::rounded;
 
 use super::super::blade::airfoil_points;
@@ -149,7 +149,7 @@ impl Shape {
         }
         let airfoils = if table.has(&AIRFOILS) {
             table.each(&AIRFOILS, |one| {
-                let key = if by_thickness { &AT_THICKNESS } else { &AT_ETA };
+                let key = place_of_airfoil(one, by_thickness)?;
                 let at = one.require_item(key, "a number from 0 to 1");
                 let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
@@ -218,6 +218,38 @@ impl Shape {
         }
         all
     }
+}
+
+/// The key of the place of an airfoil; the other one is noted.
+fn place_of_airfoil(table: &Table<'_>, by_thickness: bool) -> Option<&'static Key<Option<f64>>> {
+    let (key, other, reason, remedy) = if by_thickness {
+        (
+            &AT_THICKNESS,
+            &AT_ETA,
+            "[shape] has \"thickness\", by which airfoils are placed",
+            "remove it, or remove \"thickness\" of [shape]",
+        )
+    } else {
+        (
+            &AT_ETA,
+            &AT_THICKNESS,
+            "[shape] has no \"thickness\", and airfoils are placed by \"eta\"",
+            "remove it, or add to [shape] thickness = { eta = [0, 1], value = [1, 0.2] }",
+        )
+    };
+    if table.has(other) {
+        let key = other.name();
+        table.note(
+            other,
+            &LayupFileProblem::IdlePlace {
+                key,
+                reason,
+                remedy,
+            },
+        );
+        return None;
+    }
+    Some(key)
 }
 
 /// The points of one airfoil.

@@ -311,6 +311,15 @@ impl<'a> FailureContext<'a> {
                 &["request a \"tolerance\" of 1e-10 or more"],
             );
         }
+        if !self.model.has_kinks() {
+            return Cause {
+                words: format!(
+                    "no step of {least:.3e} s or more has the tolerance: the motion is too fast for \
+                     it, or a mechanism is near a locked position"
+                ),
+                remedies: vec![format!("set a shorter \"least\", {larger}")],
+            };
+        }
         let feedback = self.feedback();
         let who = if feedback.is_empty() {
             String::new()
@@ -361,9 +370,9 @@ impl<'a> FailureContext<'a> {
         if has_joints && self.failure.length < CUT * self.wished {
             return self.locked();
         }
-        if used_up && is_to_and_fro(history) {
+        if used_up && is_to_and_fro(history) && self.model.has_kinks() {
             return Cause::new(
-                "the iteration oscillates: a law, a drive or a sensed quantity has a kink or a \
+                "the iteration oscillates: a law or a drive by sensed quantities has a kink or a \
                  jump near this state, as a contact has",
                 &[
                     "make the law smoother there (a spline, a cubic, a softer second stiffness)",
@@ -377,16 +386,16 @@ impl<'a> FailureContext<'a> {
     /// A state from which no step succeeds.
     fn locked(&self) -> Cause {
         let words = "no step succeeds, however short: the mechanism is near a position at which it \
-                     is locked or can go two ways, it is driven to a position out of its reach, or \
-                     a force has a jump or a kink there, as a contact has";
-        Cause::new(
-            words.to_owned() + &self.or_feedback(),
-            &[
-                "check the mechanism at this time: joints in line, a rod at its full stretch, a \
-                 drive beyond the reach of the mechanism",
-                "end the run before, or change the lengths or the drive; smooth a law that jumps",
-            ],
-        )
+                     is locked or can go two ways, or it is driven to a position out of its reach";
+        let check = "check the mechanism at this time: joints in line, a rod at its full stretch, a \
+                     drive beyond the reach of the mechanism";
+        let change = "end the run before, or change the lengths or the drive";
+        if self.model.has_kinks() {
+            let words = format!("{words}; or a force has a jump or a kink there, as a contact has");
+            let change = format!("{change}; smooth a law that jumps");
+            return Cause::new(words + &self.or_feedback(), &[check, &change]);
+        }
+        Cause::new(words, &[check, change])
     }
 
     /// A step that is too long.

@@ -66,11 +66,21 @@ impl Group<'_> {
     }
 }
 
+/// Whether a scheme damps motion that its steps do not resolve.
+pub(super) fn damps(scheme: Scheme) -> bool {
+    match scheme {
+        Scheme::CrankNicolson | Scheme::CubicGauss => false,
+        Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius <= HARDLY_DAMPS,
+        Scheme::Parabolic { zeta } => zeta < -0.5,
+        Scheme::ImplicitEuler | Scheme::Bdf2 => true,
+    }
+}
+
 /// The likely cause of a gain, and remedies.
 fn cause(
     group: Option<&Group<'_>>,
     scheme: Scheme,
-    turns_far: bool,
+    [turns_far, has_kinks]: [bool; 2],
 ) -> (&'static str, Vec<&'static str>) {
     let makes_energy = |one: &&dyn Element| !one.keeps_energy();
     if group.is_some_and(|group| group.elements.iter().any(makes_energy)) {
@@ -80,31 +90,36 @@ fn cause(
             vec!["use formulation = \"variational\""],
         );
     }
-    if turns_far {
+    if !damps(scheme) {
+        let cause = if turns_far {
+            "this scheme has no damping, and nodes turn too far in its steps"
+        } else {
+            "this scheme has no damping, and motion that the steps do not resolve gains energy"
+        };
         return (
-            "steps in which nodes turn too far",
-            vec!["take shorter steps"],
-        );
-    }
-    let damps = match scheme {
-        Scheme::CrankNicolson | Scheme::CubicGauss => false,
-        Scheme::TwoStep { radius } | Scheme::Cubic { radius } => radius <= HARDLY_DAMPS,
-        Scheme::Parabolic { zeta } => zeta < -0.5,
-        Scheme::ImplicitEuler | Scheme::Bdf2 => true,
-    };
-    if !damps {
-        return (
-            "this scheme has no damping, and motion that the steps do not resolve gains energy",
+            cause,
             vec![
                 "use scheme = \"two-step\" with the radius 0.6",
                 "take shorter steps",
             ],
         );
     }
+    if turns_far {
+        return (
+            "steps in which nodes turn too far",
+            vec!["take shorter steps"],
+        );
+    }
+    if has_kinks {
+        return (
+            "steps too long for the fastest motion, or for a law that jumps or has a kink, as a \
+             contact has",
+            vec!["take shorter steps", "smooth the law"],
+        );
+    }
     (
-        "steps too long for the fastest motion, or for a law that jumps or has a kink, as a \
-         contact has",
-        vec!["take shorter steps", "smooth the law"],
+        "steps too long for the fastest motion",
+        vec!["take shorter steps"],
     )
 }
 
@@ -139,7 +154,7 @@ impl EnergyWatch {
             }
         }
         let most = groups.iter().max_by(|a, b| a.growth.total_cmp(&b.growth));
-        let (cause, remedies) = cause(most, settings.scheme, turns_far);
+        let (cause, remedies) = cause(most, settings.scheme, [turns_far, model.has_kinks()]);
         let index = most.map_or_else(String::new, |group| {
             format!("; most of it is in {}", group.words(model))
         });

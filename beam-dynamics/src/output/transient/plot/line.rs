@@ -1,6 +1,6 @@
 //! Lines of curves: their strokes, and the reduced points of a long curve.
 
-use shared_geom::figure::{CATEGORIES, Color, Stroke};
+use shared_geom::figure::{BLACK, CATEGORIES, Color, Stroke, WHITE};
 
 /// Width of a curve \[figure pixels\].
 const WIDTH: f64 = 3.5;
@@ -38,18 +38,13 @@ pub(super) fn of_run(run: usize, runs: usize) -> Stroke {
 /// and pale, so that later ones on top of it are visible, and later ones are darker and dashed.
 pub(super) fn toned(stroke: Stroke, run: usize) -> Stroke {
     let (part, toward, width, pattern) = match run {
-        0 => (0.55, 255.0, 2.4 * WIDTH, 0),
-        1 => (0.0, 0.0, 0.8 * WIDTH, 0),
-        2 => (0.45, 0.0, WIDTH, 1),
-        _ => (0.75, 0.0, WIDTH, 2),
+        0 => (0.55, WHITE, 2.4 * WIDTH, 0),
+        1 => (0.0, BLACK, 0.8 * WIDTH, 0),
+        2 => (0.45, BLACK, WIDTH, 1),
+        _ => (0.75, BLACK, WIDTH, 2),
     };
-    let mixed = |channel: u8| {
-        let channel = f64::from(channel);
-        (channel + part * (toward - channel)).round() as u8
-    };
-    let Color(red, green, blue) = stroke.color;
     Stroke {
-        color: Color(mixed(red), mixed(green), mixed(blue)),
+        color: stroke.color.mixed(toward, part),
         width,
         pattern,
     }

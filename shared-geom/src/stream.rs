@@ -1,10 +1,20 @@
 //! A stream whose reader may have gone.
 
+use std::fmt;
 use std::io::{ErrorKind, Result, Write};
 
 /// Passes everything on to a stream. A closed pipe discards it without an error, so that the work
 /// continues, all files are written, and the work decides on the exit code.
-pub(super) struct Stream<'a>(pub &'a mut dyn Write);
+pub struct Stream<'a>(
+    /// The stream.
+    pub &'a mut dyn Write,
+);
+
+impl fmt::Debug for Stream<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Stream")
+    }
+}
 
 impl Write for Stream<'_> {
     fn write(&mut self, bytes: &[u8]) -> Result<usize> {
