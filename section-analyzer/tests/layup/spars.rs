@@ -176,12 +176,10 @@ fn two_spars_follow_each_other_along_the_span() {
     let layup = parse(&both(["[0, 0.4]", "[0.4, 1]"])).unwrap_or_else(|text| panic!("{text}"));
     let spar = |eta: f64| {
         let section = layup.section(eta).expect("a section");
-        let spar = section.spar.expect("a spar");
-        let names = spar
-            .layers
-            .iter()
-            .map(|layer| section.layers[*layer].name.clone());
-        (spar.web, names.collect::<Vec<_>>())
+        let web = section.spar.expect("a spar").webs.remove(0);
+        let layers = web.layers.iter();
+        let names = layers.map(|layer| section.layers[*layer].name.clone());
+        (web.name, names.collect::<Vec<_>>())
     };
     let rear = (
         "rear".to_owned(),

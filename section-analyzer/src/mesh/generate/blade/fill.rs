@@ -14,7 +14,7 @@
 //! ```
 
 use super::super::super::distance;
-use super::grid::Grid;
+use super::super::grid::Grid;
 
 /// Largest height of a cell, in widths.
 const SQUARE: f64 = 2.0;
