@@ -32,7 +32,7 @@ use cavities::inside;
 use check::{apart, check_radii, outcome};
 use columns::Columns;
 use names::Named;
-use shell::{Frame, Of, Shell, WebAt};
+use shell::{Frame, Shell, WebAt};
 
 /// Chordwise positions that differ by less are treated as equal.
 const SAME: f64 = 1e-6;
@@ -140,7 +140,7 @@ impl Blade {
     /// The wall, and the columns with those at the corners of its spar.
     fn wall(
         &self,
-        shell: &Shell,
+        shell: &Shell<'_>,
         mut columns: Columns,
         webs: &[WebAt],
     ) -> Result<(Wall, Columns), Vec<BladeProblem>> {
@@ -149,7 +149,7 @@ impl Blade {
         let wall = Wall::apart(parts, outline, self.sizes.size, self.is_closed);
         let mut wall = wall.map_err(|one| vec![BladeProblem::Layup(one)])?;
         wall.stack
-            .divide(shell.plies.iter().map(|of| self.cells(*of)));
+            .divide(shell.plies.iter().map(|of| of.ply.cells.max(1)));
         let of_spar = wall.spar.iter().flat_map(|spar| &spar.webs);
         for (web, at) in of_spar.zip(webs) {
             for side in 0..2 {
@@ -168,29 +168,19 @@ impl Blade {
         Ok((wall, columns))
     }
 
-    /// Cells through a layer.
-    fn cells(&self, of: Of) -> usize {
-        let spar = || self.spar.iter().flat_map(|spar| &spar.plies);
-        let ply = match of {
-            Of::Skin(number) => self.skin.get(number),
-            Of::Spar(number) => spar().nth(number).map(|one| &one.ply),
-        };
-        ply.map_or(1, |ply| ply.cells.max(1))
-    }
-
     /// Adds the cells of walls, webs and cores.
     fn mesh_wall(
         &self,
         wall: &Wall,
         columns: &Columns,
-        (shell, webs): (&Shell, &[WebAt]),
+        (shell, webs): (&Shell<'_>, &[WebAt]),
         grid: &mut Grid,
     ) -> Result<(), Vec<BladeProblem>> {
         let size = self.sizes.size;
         let stations = columns.stations(&wall.outline, size, self.is_closed);
         let rows: Vec<Row> = rows(wall, &stations, grid);
         let named = Named {
-            blade: self,
+            contour: &self.contour,
             wall,
             plies: &shell.plies,
             webs,

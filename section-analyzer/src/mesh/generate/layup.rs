@@ -17,7 +17,7 @@ use shared_geom::mesh::{CellKind, Mesh};
 
 use super::super::SectionMesh;
 
-mod area;
+pub(super) mod area;
 mod bend;
 mod build;
 mod butt;

@@ -20,15 +20,6 @@ pub(super) struct Inside {
     pub webs: Vec<Vec<Vec<u32>>>,
 }
 
-/// A cavity between two walls.
-struct Cavity<'a> {
-    walls: [&'a [u32]; 2],
-    /// The column of its first nodes.
-    first: usize,
-    /// Its lines at the first and at the last column, upward.
-    ends: [Vec<u32>; 2],
-}
-
 /// The nodes inside of the walls; `knee` is the level of the inner face of the skin.
 pub(super) fn inside(
     columns: &Columns,
@@ -90,46 +81,41 @@ impl Blade {
             Some(line?.iter().rev().copied().collect())
         };
         let (Some(rear), Some(aft_end)) = (webs.first(), upward(0, false)) else {
-            let cavity = Cavity {
-                walls: [&inside.skin[0], &inside.skin[1]],
-                first: 0,
-                ends: [inside.edge.clone(), nose_node],
-            };
-            return self.fill_cavity(grid, cavity, cores.aft.as_ref(), mark);
+            let walls = [&inside.skin[0][..], &inside.skin[1]];
+            let ends = [inside.edge.clone(), nose_node];
+            return self.fill_cavity(grid, (walls, ends), cores.aft.as_ref(), mark);
         };
-        let aft = Cavity {
-            walls: [0, 1].map(|side| &inside.skin[side][..=rear.column]),
-            first: 0,
-            ends: [inside.edge.clone(), aft_end],
-        };
-        self.fill_cavity(grid, aft, cores.aft.as_ref(), None);
+        let walls = [0, 1].map(|side| &inside.skin[side][..=rear.column]);
+        let ends = [inside.edge.clone(), aft_end];
+        self.fill_cavity(grid, (walls, ends), cores.aft.as_ref(), None);
         let front = webs.get(1);
         let tip = || inside.spar[0].last().copied().into_iter().collect();
-        let spar = Cavity {
-            walls: [&inside.spar[0], &inside.spar[1]],
-            first: rear.column,
-            ends: [
-                upward(0, true).unwrap_or_default(),
-                upward(1, true).unwrap_or_else(tip),
-            ],
-        };
-        let of_spar = mark.filter(|_| front.is_none());
-        self.fill_cavity(grid, spar, cores.spar.as_ref(), of_spar);
+        let walls = [&inside.spar[0][..], &inside.spar[1]];
+        let ends = [
+            upward(0, true).unwrap_or_default(),
+            upward(1, true).unwrap_or_else(tip),
+        ];
+        let after = |column: usize| mark.map(|mark| mark.saturating_sub(column));
+        let of_spar = after(rear.column).filter(|_| front.is_none());
+        self.fill_cavity(grid, (walls, ends), cores.spar.as_ref(), of_spar);
         if let (Some(front), Some(line)) = (front, upward(1, false)) {
-            let nose = Cavity {
-                walls: [0, 1].map(|side| &inside.skin[side][front.column..]),
-                first: front.column,
-                ends: [line, nose_node],
-            };
-            self.fill_cavity(grid, nose, cores.nose.as_ref(), mark);
+            let walls = [0, 1].map(|side| &inside.skin[side][front.column..]);
+            let ends = [line, nose_node];
+            self.fill_cavity(
+                grid,
+                (walls, ends),
+                cores.nose.as_ref(),
+                after(front.column),
+            );
         }
     }
 
-    /// Fills a cavity with its core, and from the column `mark` on with the mass.
+    /// Fills a cavity between two walls, with lines at its first and its last column upward, with its
+    /// core, and from the column `mark` of it on with the mass.
     fn fill_cavity(
         &self,
         grid: &mut Grid,
-        cavity: Cavity<'_>,
+        (walls, ends): ([&[u32]; 2], [Vec<u32>; 2]),
         core: Option<&String>,
         mark: Option<usize>,
     ) {
@@ -137,11 +123,10 @@ impl Blade {
             return;
         }
         let mass = self.cores.nose_mass.as_ref().map(|(_, name)| name);
-        let lines = fill::lines(grid, cavity.walls, cavity.ends, self.sizes.core);
+        let lines = fill::lines(grid, walls, ends, self.sizes.core);
         for (index, pair) in lines.windows(2).enumerate() {
-            let is_mass = mark.is_some_and(|mark| cavity.first + index >= mark);
-            let name = if is_mass { mass } else { core };
-            if let Some(name) = name {
+            let is_mass = mark.is_some_and(|mark| index >= mark);
+            if let Some(name) = if is_mass { mass } else { core } {
                 fill::strip(grid, &pair[0], &pair[1], std::slice::from_ref(name));
             }
         }

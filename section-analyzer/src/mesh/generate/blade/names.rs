@@ -2,10 +2,10 @@
 
 use super::super::layup::cells::Names;
 use super::super::layup::wall::Wall;
-use super::contour::SIDES;
+use super::SparPly;
+use super::contour::{Contour, SIDES};
 use super::problem::BladePart;
 use super::shell::{Of, WebAt};
-use super::{Blade, Ply, SparPly};
 
 /// A place in a wall or a web.
 #[derive(Debug, Clone, Copy)]
@@ -20,17 +20,10 @@ enum Place {
 
 /// The plies of the layers of a meshed blade.
 pub(super) struct Named<'a> {
-    pub blade: &'a Blade,
+    pub contour: &'a Contour,
     pub wall: &'a Wall,
-    pub plies: &'a [Of],
+    pub plies: &'a [Of<'a>],
     pub webs: &'a [WebAt],
-}
-
-/// Cells of one ply along a column: the ply, and the levels of its faces.
-struct Faces<'a> {
-    ply: &'a Ply,
-    levels: [usize; 2],
-    is_there: bool,
 }
 
 impl Named<'_> {
@@ -50,26 +43,15 @@ impl Named<'_> {
         if s < half || s > outline.perimeter() - half {
             return Place::Base;
         }
-        Place::Side(
-            usize::from(s > outline.nose()),
-            self.blade.contour.part_at(s),
-        )
-    }
-
-    /// The ply of the spar of a layer.
-    fn of_spar(&self, layer: usize) -> Option<&SparPly> {
-        match (self.plies[layer], &self.blade.spar) {
-            (Of::Spar(number), Some(spar)) => spar.plies.get(number),
-            _ => None,
-        }
+        Place::Side(usize::from(s > outline.nose()), self.contour.part_at(s))
     }
 
     /// The surfaces of a cell of a layer.
     fn cells(&self, layer: usize, place: Place) -> Vec<String> {
-        let of_spar = self.of_spar(layer);
-        let filler = of_spar.filter(|ply| !ply.is_at(place));
-        let filler = filler.and_then(|ply| ply.filler.clone());
-        let name = filler.unwrap_or_else(|| self.wall.stack.name(layer).to_owned());
+        let Of { ply, on_spar } = self.plies[layer];
+        let replaced = on_spar.filter(|on_spar| !on_spar.is_at(place));
+        let filler = replaced.and_then(|on_spar| on_spar.filler.as_ref());
+        let name = filler.unwrap_or(&ply.name);
         let part = match place {
             Place::Side(side, _) => SIDES[side],
             Place::Base => "edge",
@@ -77,76 +59,58 @@ impl Named<'_> {
             Place::Web(_) if self.webs.len() > 1 => "rear_web",
             Place::Web(_) => "web",
         };
-        let of_part = format!("{name}/{part}");
-        vec![name, of_part]
-    }
-
-    /// The ply of a layer, of which all or nothing is at a place, and its levels.
-    fn faces(&self, layer: usize, place: Place) -> Option<Faces<'_>> {
-        let (ply, is_there) = match (self.plies[layer], self.of_spar(layer)) {
-            (Of::Skin(number), _) => (self.blade.skin.get(number)?, true),
-            (Of::Spar(_), of_spar) => of_spar.map(|one| (&one.ply, one.is_at(place)))?,
-        };
-        let outer = self.wall.stack.level(layer);
-        Some(Faces {
-            ply,
-            levels: [outer, outer + self.wall.stack.cells(layer)],
-            is_there,
-        })
+        vec![name.clone(), format!("{name}/{part}")]
     }
 
     /// The curves of a level.
     fn lines(&self, level: usize, s: f64) -> Vec<String> {
-        let (stack, place) = (&self.wall.stack, self.place(s));
-        let mut names = Vec::new();
-        if level == 0 {
-            names.push("contour".to_owned());
-        }
+        let stack = &self.wall.stack;
         let spar = self.wall.spar.as_ref();
         let is_outer = |first: usize| level == stack.level(first) && !stack.is_beyond(s);
-        if spar.is_some_and(|spar| is_outer(spar.first)) {
-            names.push("spar".to_owned());
-        }
-        let present = (0..stack.len()).filter(|layer| stack.thickness(*layer, s) > 0.0);
-        let faces = present.filter_map(|layer| self.faces(layer, place));
-        add_faces(faces, level, &mut names);
+        let is_spar = spar.is_some_and(|spar| is_outer(spar.first));
+        let whole = [(level == 0, "contour"), (is_spar, "spar")];
+        let whole = whole.into_iter().filter(|(is_it, _)| *is_it);
+        let mut names: Vec<String> = whole.map(|(_, name)| name.to_owned()).collect();
+        let layers = (0..stack.len()).filter(|layer| stack.thickness(*layer, s) > 0.0);
+        let layers = layers.map(|layer| (layer, stack.level(layer)));
+        self.add_faces(layers, (level, self.place(s)), &mut names);
         names
     }
 
     /// The curves of a level of a web.
     fn web_lines(&self, web: usize, level: usize) -> Vec<String> {
         let mut names = Vec::new();
-        if level == 0 {
-            names.push("spar".to_owned());
-        }
-        let place = Place::Web(self.webs[web].web);
+        names.extend((level == 0).then(|| "spar".to_owned()));
         let layers = self
             .wall
             .spar
             .iter()
             .flat_map(|spar| &spar.webs[web].layers);
-        let mut outer = 0;
-        let faces = layers.filter_map(|layer| {
-            let cells = self.wall.stack.cells(*layer);
-            outer += cells;
-            let levels = [outer - cells, outer];
-            Some(Faces {
-                levels,
-                ..self.faces(*layer, place)?
-            })
+        let mut inner = 0;
+        let layers = layers.map(|layer| {
+            let outer = inner;
+            inner += self.wall.stack.cells(*layer);
+            (*layer, outer)
         });
-        add_faces(faces, level, &mut names);
+        let place = Place::Web(self.webs[web].web);
+        self.add_faces(layers, (level, place), &mut names);
         names
     }
-}
 
-/// Adds the faces of plies that lie on a level.
-fn add_faces<'a>(faces: impl Iterator<Item = Faces<'a>>, level: usize, names: &mut Vec<String>) {
-    for one in faces.filter(|one| one.ply.has_faces && one.is_there) {
-        for (at, word) in one.levels.into_iter().zip(["outer", "inner"]) {
-            if at == level {
-                names.push(format!("{}/{word}", one.ply.name));
-            }
+    /// Adds the faces on a level of the plies of layers, with their outer levels.
+    fn add_faces(
+        &self,
+        layers: impl Iterator<Item = (usize, usize)>,
+        (level, place): (usize, Place),
+        names: &mut Vec<String>,
+    ) {
+        for (layer, outer) in layers {
+            let Of { ply, on_spar } = self.plies[layer];
+            let is_there = on_spar.is_none_or(|on_spar| on_spar.is_at(place));
+            let faces = [(outer, "outer"), (outer + ply.cells.max(1), "inner")];
+            let on_level = |(at, _): &(usize, &str)| ply.has_faces && is_there && *at == level;
+            let faces = faces.into_iter().filter(on_level);
+            names.extend(faces.map(|(_, word)| format!("{}/{word}", ply.name)));
         }
     }
 }

@@ -9,7 +9,7 @@ use super::super::layup::{Layer, Outline, Spar as Turning, SparWeb};
 use super::columns::Columns;
 use super::contour::SIDES;
 use super::problem::{BladePart, BladeProblem};
-use super::{Blade, Spar, SparPly};
+use super::{Blade, Ply, Spar, SparPly};
 
 /// Fraction of the surface of a spar that a web may use at its end.
 const MOST: f64 = 0.45;
@@ -27,21 +27,20 @@ pub(super) struct WebAt {
 }
 
 /// The ply of a layer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Of {
-    /// Its number in the skin.
-    Skin(usize),
-    /// Its number in the spar.
-    Spar(usize),
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Of<'a> {
+    pub ply: &'a Ply,
+    /// The ply of the spar that it is.
+    pub on_spar: Option<&'a SparPly>,
 }
 
 /// The layers of a blade.
 #[derive(Debug)]
-pub(super) struct Shell {
+pub(super) struct Shell<'a> {
     /// From the outside in.
     pub layers: Vec<Layer>,
     /// The ply of each layer.
-    pub plies: Vec<Of>,
+    pub plies: Vec<Of<'a>>,
     /// The spar, if there is one.
     pub spar: Option<Turning>,
 }
@@ -59,35 +58,31 @@ struct Laid {
 }
 
 /// A blade, its columns and its webs.
-pub(super) struct Frame<'a> {
+pub(super) struct Frame<'a, 'b> {
     pub blade: &'a Blade,
-    pub columns: &'a Columns,
+    pub columns: &'b Columns,
     /// The rear one first.
-    pub webs: &'a [WebAt],
+    pub webs: &'b [WebAt],
 }
 
-impl Frame<'_> {
-    fn outline(&self) -> &Outline {
+impl<'a> Frame<'a, '_> {
+    fn outline(&self) -> &'a Outline {
         self.blade.contour.outline()
     }
 
     /// The layers of all plies, and the spar.
-    pub fn shell(&self) -> Shell {
-        let skin = &self.blade.skin;
+    pub fn shell(&self) -> Shell<'a> {
+        let skin = self.blade.skin.iter();
+        let plies = skin.clone().map(|ply| Of { ply, on_spar: None });
         let mut shell = Shell {
-            layers: skin
-                .iter()
-                .map(|ply| layer(&ply.name, ply.thickness))
-                .collect(),
-            plies: (0..skin.len()).map(Of::Skin).collect(),
+            layers: skin.map(layer).collect(),
+            plies: plies.collect(),
             spar: None,
         };
         if let Some(spar) = &self.blade.spar {
             let first = shell.layers.len();
-            let laid = spar.plies.iter().enumerate();
-            let laid: Vec<Laid> = laid
-                .map(|(number, ply)| self.lay(number, ply, &mut shell))
-                .collect();
+            let laid = spar.plies.iter();
+            let laid: Vec<Laid> = laid.map(|ply| self.lay(ply, &mut shell)).collect();
             let webs = self.webs.iter().map(|web| self.web(web, spar, &laid));
             let webs = webs.collect();
             shell.spar = Some(Turning { first, webs });
@@ -96,7 +91,7 @@ impl Frame<'_> {
     }
 
     /// Adds the layers of a ply of the spar.
-    fn lay(&self, number: usize, ply: &SparPly, shell: &mut Shell) -> Laid {
+    fn lay(&self, ply: &'a SparPly, shell: &mut Shell<'a>) -> Laid {
         let ranges = [ply.upper, ply.lower].map(|range| self.columns_of(ply, range));
         let nose = self.columns.nose();
         let is_around = ranges
@@ -108,9 +103,12 @@ impl Frame<'_> {
                 from: from.s / self.outline().perimeter(),
                 to: to.s / self.outline().perimeter(),
                 taper: ramps.reduce(f64::min),
-                ..layer(&ply.ply.name, ply.ply.thickness)
+                ..layer(&ply.ply)
             });
-            shell.plies.push(Of::Spar(number));
+            shell.plies.push(Of {
+                ply: &ply.ply,
+                on_spar: Some(ply),
+            });
             shell.layers.len() - 1
         };
         let end = |side: usize, which: usize, [aft, fore]: [usize; 2]| {
@@ -205,7 +203,7 @@ impl Frame<'_> {
     }
 
     /// Webs that are joined to a surface along an edge only, or that use too much of it.
-    pub fn check_feet(&self, shell: &Shell) -> Vec<BladeProblem> {
+    pub fn check_feet(&self, shell: &Shell<'_>) -> Vec<BladeProblem> {
         let of_spar = shell.spar.iter().flat_map(|spar| &spar.webs);
         let depth: f64 = self.blade.skin.iter().map(|ply| ply.thickness).sum();
         let mut problems = Vec::new();
@@ -259,10 +257,10 @@ struct End {
 }
 
 /// A layer all around.
-fn layer(name: &str, thickness: f64) -> Layer {
+fn layer(ply: &Ply) -> Layer {
     Layer {
-        name: name.to_owned(),
-        thickness,
+        name: ply.name.clone(),
+        thickness: ply.thickness,
         from: 0.0,
         to: 1.0,
         taper: None,

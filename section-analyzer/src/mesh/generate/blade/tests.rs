@@ -6,6 +6,7 @@ use shared_geom::error::{Explain, SourceLocation};
 use shared_geom::mesh::{Cell, CellKind, Mesh};
 
 use super::super::super::{SectionMesh, distance, short};
+use super::super::layup::area::area_of;
 use super::*;
 
 const CHORD: f64 = 100.0;
@@ -76,25 +77,6 @@ fn d_spar() -> Blade {
         // the radius of a nose is 1.1 t^2: here 3.6
         ..skin("0018", false)
     }
-}
-
-fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
-    let jacobian = |r: f64, s: f64| {
-        let shape = cell.kind.shape(r, s);
-        let (mut dr, mut ds) = ([0.0; 2], [0.0; 2]);
-        for (i, &node) in cell.nodes().iter().enumerate() {
-            for axis in 0..2 {
-                let x = mesh.nodes[node as usize].position[axis];
-                dr[axis] += shape.dr[i] * x;
-                ds[axis] += shape.ds[i] * x;
-            }
-        }
-        dr[0] * ds[1] - dr[1] * ds[0]
-    };
-    let points = cell.kind.rule().iter();
-    points
-        .map(|point| point.weight * jacobian(point.r, point.s))
-        .sum()
 }
 
 /// Area of the cells in a group, or of all.

@@ -160,7 +160,7 @@ fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), sums: &mut [f64]) {
 }
 
 /// Area of a cell.
-pub(super) fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
+pub(in super::super) fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
     let positions = || {
         cell.nodes()
             .iter()

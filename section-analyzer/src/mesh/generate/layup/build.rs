@@ -97,31 +97,19 @@ fn add_web(wall: &Wall, web: &Standing, rows: &[Row], grid: &mut Grid) -> Vec<u3
     let height = |j: usize| distance(grid.position(feet[0][j]), grid.position(feet[1][j]));
     let longest = (0..feet[0].len()).map(height).fold(0.0, f64::max);
     let count = (longest / wall.size).ceil().clamp(2.0, 2000.0) as usize;
-    let mut lines: Vec<Vec<u32>> = Vec::new();
-    for j in 0..feet[0].len() {
-        let ends = [grid.position(feet[0][j]), grid.position(feet[1][j])];
-        let mut line = vec![feet[0][j]];
-        for row in 1..count {
-            let part = row as f64 / count as f64;
-            line.push(grid.node([0, 1].map(|i| ends[0][i] + part * (ends[1][i] - ends[0][i]))));
-        }
-        line.push(feet[1][j]);
-        lines.push(line);
-    }
+    let pairs = feet[0].iter().zip(&feet[1]);
+    let lines = pairs.map(|(a, b)| grid.divided([*a, *b], count));
+    let mut lines: Vec<Vec<u32>> = lines.collect();
     let name = &web.web.name;
-    for (j, ply) in web.plies.iter().enumerate() {
+    for (pair, ply) in lines.windows(2).zip(&web.plies) {
         let ply = &web.web.plies[*ply].name;
         let names = [ply.clone(), format!("{ply}@{name}")];
-        let (fore, aft) = (&lines[j], &lines[j + 1]);
-        for row in 0..count {
-            grid.cell([aft[row], aft[row + 1], fore[row + 1], fore[row]], &names);
-        }
+        grid.strip([&pair[1], &pair[0]], &names);
     }
     let fore = lines.swap_remove(0);
     if !web.plies.is_empty() {
-        for pair in fore.windows(2).rev() {
-            grid.line([pair[1], pair[0]], std::slice::from_ref(name));
-        }
+        let upward: Vec<u32> = fore.iter().rev().copied().collect();
+        grid.curve(&upward, std::slice::from_ref(name));
     }
     fore
 }

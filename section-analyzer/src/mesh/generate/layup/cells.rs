@@ -135,10 +135,7 @@ pub(in super::super) fn lay(wall: &Wall, rows: &[Row], names: &Names<'_>, grid: 
             grid.cell(corners, &(names.cells)(*layer, middle));
         }
         for level in 0..a.len() {
-            let curves = (names.lines)(level, middle);
-            if !curves.is_empty() {
-                grid.line([a[level], b[level]], &curves);
-            }
+            grid.curve(&[a[level], b[level]], &(names.lines)(level, middle));
         }
     }
 }

@@ -35,29 +35,23 @@ pub(in super::super) fn add_spar_web(
         std::iter::repeat_n(names, wall.stack.cells(*layer))
     });
     for (names, pair) in cells.zip(lines.windows(2)) {
-        let [outer, inner] = if web.is_fore { [1, 0] } else { [0, 1] };
-        for row in 1..pair[0].len() {
-            let of = |level: usize, row: usize| pair[level][row];
-            let corners = [
-                of(outer, row - 1),
-                of(outer, row),
-                of(inner, row),
-                of(inner, row - 1),
-            ];
-            grid.cell(corners, &names);
-        }
+        let [outer, inner] = [&pair[0], &pair[1]];
+        grid.strip(
+            if web.is_fore {
+                [inner, outer]
+            } else {
+                [outer, inner]
+            },
+            &names,
+        );
     }
     for (level, line) in lines.iter().enumerate() {
-        let curves = (names.web_lines)(number, level);
-        let sides = line.windows(2);
-        // clockwise around the spar
-        match (curves.is_empty(), web.is_fore) {
-            (true, _) => {}
-            (false, true) => sides.for_each(|side| grid.line([side[0], side[1]], &curves)),
-            (false, false) => sides
-                .rev()
-                .for_each(|side| grid.line([side[1], side[0]], &curves)),
+        let mut line = line.clone();
+        if !web.is_fore {
+            // clockwise around the spar
+            line.reverse();
         }
+        grid.curve(&line, &(names.web_lines)(number, level));
     }
     lines
 }
