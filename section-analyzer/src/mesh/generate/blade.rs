@@ -159,7 +159,8 @@ impl Blade {
         let beside = |column: &usize| webs.iter().all(|web| web.column != *column);
         let inner = (0..=columns.nose()).filter(beside);
         let stack = &wall.stack;
-        let on_side = |column: usize| [0, 1].map(|side| (side, columns.sides[side][column]));
+        // the nose, of both sides, counts as above
+        let on_side = |column: usize| [1, 0].map(|side| (side, columns.sides[side][column]));
         let positions = inner
             .flat_map(on_side)
             .filter(|(_, s)| !stack.is_beyond(*s));

@@ -24,7 +24,7 @@ use super::mitre::Fade;
 use super::outline::Outline;
 use super::problem::{LayupProblem, Upright};
 use super::stack::Stack;
-use super::types::{SIDES, Spar, SparWeb};
+use super::types::{SIDES, Spar};
 
 /// Part of the way to the nose, or to the middle between two webs, that a mitre takes at most.
 const MOST_OF_WAY: f64 = 0.9;
@@ -59,19 +59,8 @@ pub(in super::super) struct WebWall {
     pub line: Line,
     /// M at the corners.
     pub leans: [f64; 2],
-    turns: [Turn; 2],
-    fades: [Fade; 2],
-}
-
-/// A corner during its search.
-struct Corner<'a> {
-    web: &'a SparWeb,
-    line: &'a Line,
-    is_fore: bool,
-    side: usize,
-    s: f64,
-    /// The end of the way along the surface into the spar: the nose, or the corner of the other web.
-    end: (f64, bool),
+    /// The turn at each corner, and the fade of its lean.
+    sides: Vec<(Turn, Fade)>,
 }
 
 impl SparWall {
@@ -98,19 +87,34 @@ impl SparWall {
         }
         stack.end_inside(corners.clone());
         let mut webs = Vec::new();
-        for (number, web) in spar.webs.iter().enumerate() {
-            let at = |side: usize| {
-                let other = corners.get(1 - number.min(1)).filter(|_| corners.len() > 1);
-                Corner {
-                    web,
-                    line: &lines[number],
-                    is_fore: number > 0,
-                    side,
-                    s: corners[number][side],
-                    end: other.map_or((outline.nose(), false), |other| (other[side], true)),
-                }
+        for (number, (web, line)) in spar.webs.iter().zip(lines).enumerate() {
+            let others = corners
+                .iter()
+                .enumerate()
+                .find(|(other, _)| *other != number);
+            // as far as the middle between two webs, or as the nose
+            let way = [0, 1].map(|side| {
+                let s = corners[number][side];
+                let other = others.map(|(_, other)| 0.5 * (other[side] - s).abs());
+                MOST_OF_WAY * other.unwrap_or((outline.nose() - s).abs())
+            });
+            let mut made = WebWall {
+                name: web.name.clone(),
+                arcs: web.arcs,
+                is_fore: number > 0,
+                layers: web.layers.clone(),
+                feet: feet(web, spar.first, stack, corners[number])?,
+                corners: corners[number],
+                line,
+                leans: [0.0; 2],
+                sides: Vec::new(),
             };
-            webs.push(WebWall::new(spar.first, [at(0), at(1)], outline, stack)?);
+            for (side, way) in way.into_iter().enumerate() {
+                let (turn, fade) = made.fade(spar.first, (side, way), outline, stack)?;
+                made.leans[side] = turn.lean();
+                made.sides.push((turn, fade));
+            }
+            webs.push(made);
         }
         let first = spar.first;
         Ok(Self { first, webs })
@@ -122,11 +126,10 @@ impl SparWall {
             return None;
         }
         for web in &self.webs {
-            for side in 0..2 {
+            for (side, (turn, fade)) in web.sides.iter().enumerate() {
                 let sign = sign(web.is_fore, side);
                 let away = sign * (s - web.corners[side]);
-                let lean = Some(away).filter(|x| *x >= 0.0);
-                let Some(lean) = lean.and_then(|x| web.fades[side].at(x)) else {
+                let Some(lean) = fade.at(away).filter(|_| away >= 0.0) else {
                     continue;
                 };
                 let (n, depth) = (outline.inward(s), stack.before(self.first, s));
@@ -135,7 +138,7 @@ impl SparWall {
                     normal: n,
                     direction: [-sign * n[1], sign * n[0]],
                     bend: below(outline.bend(s), depth),
-                    lean: Lean::Part(lean / web.leans[side], web.turns[side]),
+                    lean: Lean::Part(lean / web.leans[side], *turn),
                 });
             }
         }
@@ -181,51 +184,23 @@ pub(in super::super) fn foot(
 }
 
 impl WebWall {
-    fn new(
-        first: usize,
-        corners: [Corner<'_>; 2],
-        outline: &Outline,
-        stack: &Stack,
-    ) -> Result<Self, LayupProblem> {
-        let (web, line, is_fore) = (corners[0].web, *corners[0].line, corners[0].is_fore);
-        let feet = feet(web, first, stack, corners.each_ref().map(|corner| corner.s))?;
-        let [suction, pressure] = corners
-            .each_ref()
-            .map(|corner| corner.fade(first, outline, stack));
-        let (suction, pressure) = (suction?, pressure?);
-        Ok(Self {
-            name: web.name.clone(),
-            arcs: web.arcs,
-            is_fore,
-            layers: web.layers.clone(),
-            feet,
-            corners: corners.each_ref().map(|corner| corner.s),
-            line,
-            leans: [suction.0.lean(), pressure.0.lean()],
-            turns: [suction.0, pressure.0],
-            fades: [suction.1, pressure.1],
-        })
-    }
-
     /// Unit normal of its outer face, into the spar.
     pub fn inward(&self) -> [f64; 2] {
         let sign = if self.is_fore { -1.0 } else { 1.0 };
         self.line.normal.map(|x| sign * x)
     }
-}
 
-impl Corner<'_> {
-    /// The turn from the surface to the web, and the fade of its lean.
+    /// The turn from the surface to the web at its corner on a side, and the fade of the lean within a
+    /// way along the surface.
     fn fade(
         &self,
         first: usize,
+        (side, way): (usize, f64),
         outline: &Outline,
         stack: &Stack,
     ) -> Result<(Turn, Fade), LayupProblem> {
-        let (s, sign) = (self.s, sign(self.is_fore, self.side));
-        let n = outline.inward(s);
-        let forward = if self.is_fore { -1.0 } else { 1.0 };
-        let w = self.line.normal.map(|x| forward * x);
+        let (s, sign) = (self.corners[side], sign(self.is_fore, side));
+        let (n, w) = (outline.inward(s), self.inward());
         let turn = Turn {
             cosine: n[0] * w[0] + n[1] * w[1],
             sine: sign * (n[0] * w[1] - n[1] * w[0]),
@@ -233,15 +208,13 @@ impl Corner<'_> {
         };
         let lean = turn.lean();
         let thickness = |s: f64| stack.total(s) - stack.before(first, s);
-        let (end, is_shared) = self.end;
-        let way = MOST_OF_WAY * (end - s).abs();
-        let (length, room) = (thickness(s) * lean, if is_shared { 0.5 * way } else { way });
-        if !(lean > 0.0 && length < room) {
+        let length = thickness(s) * lean;
+        if !(lean > 0.0 && length < way) {
             return Err(LayupProblem::Tight {
                 layer: stack.innermost(s).to_owned(),
-                arc: self.web.arcs[self.side],
+                arc: self.arcs[side],
                 thickness: thickness(s),
-                radius: room / lean.abs(),
+                radius: way / lean.abs(),
             });
         }
         let surface = |x: f64| {
@@ -249,6 +222,6 @@ impl Corner<'_> {
             let thickness = thickness(at).max(thickness(s));
             (thickness, below(outline.bend(at), stack.before(first, at)))
         };
-        Ok((turn, Fade::new([lean, length], room, surface)))
+        Ok((turn, Fade::new([lean, length], way, surface)))
     }
 }
