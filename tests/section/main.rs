@@ -2,6 +2,7 @@
 
 mod binary_meshes;
 mod blade_sections;
+mod blade_spars;
 mod closed_forms;
 mod converged;
 mod curved_lines;

@@ -78,11 +78,8 @@ fn webs(random: &mut Random, cap: [f64; 2], skin: f64) -> Vec<Web> {
 fn add_spar(section: &mut LayupSection, random: &mut Random, cap: f64, thickness: f64) {
     let arc = cap - random.range(0.01, 0.04);
     let arcs = [arc, 1.0 - arc];
-    section.spar = Some(Spar {
-        web: "spar_web".into(),
-        arcs,
-        layers: vec![section.layers.len(), section.layers.len() + 1],
-    });
+    let layers = vec![section.layers.len(), section.layers.len() + 1];
+    section.spar = Some(Spar::around_nose("spar_web".into(), arcs, layers));
     section.layers.extend([
         layer("spar", thickness, arcs),
         layer("spar_inner", 0.5 * thickness, arcs),
@@ -205,11 +202,8 @@ fn damage_layer(layer: &mut Layer, random: &mut Random) {
 /// Makes all layers from one on a spar with a web at any place.
 fn turn_into_spar(section: &mut LayupSection, first: usize, random: &mut Random) {
     let arcs = [random.range(0.02, 0.5), random.range(0.5, 0.98)];
-    section.spar = Some(Spar {
-        web: "spar_web".into(),
-        arcs,
-        layers: (first..section.layers.len()).collect(),
-    });
+    let layers = (first..section.layers.len()).collect();
+    section.spar = Some(Spar::around_nose("spar_web".into(), arcs, layers));
     for layer in &mut section.layers[first..] {
         [layer.from, layer.to] = arcs;
     }

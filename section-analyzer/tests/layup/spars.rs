@@ -4,6 +4,7 @@ use std::path::Path;
 
 use section_analyzer::analysis::analyze;
 use section_analyzer::input::layup::{self, Layup};
+use section_analyzer::mesh::generate::layup::{Layer, LayupSection, Spar, SparWeb};
 use section_analyzer::output::layup_file;
 
 use crate::files::section;
@@ -176,12 +177,10 @@ fn two_spars_follow_each_other_along_the_span() {
     let layup = parse(&both(["[0, 0.4]", "[0.4, 1]"])).unwrap_or_else(|text| panic!("{text}"));
     let spar = |eta: f64| {
         let section = layup.section(eta).expect("a section");
-        let spar = section.spar.expect("a spar");
-        let names = spar
-            .layers
-            .iter()
-            .map(|layer| section.layers[*layer].name.clone());
-        (spar.web, names.collect::<Vec<_>>())
+        let web = section.spar.expect("a spar").webs.remove(0);
+        let layers = web.layers.iter();
+        let names = layers.map(|layer| section.layers[*layer].name.clone());
+        (web.name, names.collect::<Vec<_>>())
     };
     let rear = (
         "rear".to_owned(),
@@ -194,4 +193,61 @@ fn two_spars_follow_each_other_along_the_span() {
     assert!(both_stand.contains(expected), "{both_stand}");
     let overlap = parse(&both(["[0, 0.5]", "[0.4, 1]"])).expect_err("two spars");
     assert!(overlap.contains(expected), "{overlap}");
+}
+
+/// An ellipse with semi-axes of 0.5 and 0.2 and a box-spar inside of its skin, of one layer on each
+/// side and along both webs: areas on the curved surfaces and along the webs, less the mitres, to 2e-5.
+#[test]
+fn a_box_spar_turns_into_both_webs() {
+    let point = |i: usize| {
+        let angle = std::f64::consts::TAU * i as f64 / 200.0;
+        [-0.5 * angle.cos(), 0.2 * angle.sin()]
+    };
+    let layer = |name: &str, thickness: f64, [from, to]: [f64; 2]| Layer {
+        name: name.into(),
+        thickness,
+        from,
+        to,
+        taper: None,
+        profile: Vec::new(),
+    };
+    let (rear, fore) = ([0.15, 0.85], [0.35, 0.65]);
+    let web = |name: &str, arcs: [f64; 2]| SparWeb {
+        name: name.into(),
+        arcs,
+        layers: vec![1],
+        feet: None,
+    };
+    let section = LayupSection {
+        contour: (0..=200).map(point).collect(),
+        layers: vec![
+            layer("skin", 0.002, [0.0, 1.0]),
+            layer("above", 0.006, [rear[0], fore[0]]),
+            layer("below", 0.006, [fore[1], rear[1]]),
+        ],
+        webs: Vec::new(),
+        spar: Some(Spar {
+            first: 1,
+            webs: vec![web("rear", rear), web("fore", fore)],
+        }),
+        fills: Vec::new(),
+        size: Some(0.01),
+    };
+    let made = section
+        .generate()
+        .unwrap_or_else(|problem| panic!("{problem}"));
+    for area in &made.areas {
+        let error = area.meshed / area.nominal - 1.0;
+        println!("{} {error:e}", area.name);
+        assert!(error.abs() < 1e-3, "{}: {error:e}", area.name);
+    }
+    for name in [
+        "above@suction",
+        "above@rear",
+        "above@fore",
+        "below@pressure",
+    ] {
+        assert!(made.mesh.group(2, name).is_some(), "{name}");
+    }
+    assert!(made.mesh.group(2, "below@suction").is_none());
 }

@@ -103,15 +103,12 @@ impl<'a> Resolver<'a> {
                 if layers.is_empty() {
                     continue;
                 }
-                if let Some(other) = spar {
-                    let webs = [other.web, made.name];
+                let others = spar.iter().flat_map(|spar| &spar.webs);
+                if let Some(other) = others.map(|web| web.name.clone()).next() {
+                    let webs = [other, made.name];
                     return Err((web.line, LayupFileProblem::TwoSpars { webs }));
                 }
-                spar = Some(Spar {
-                    web: made.name,
-                    arcs: made.arcs,
-                    layers,
-                });
+                spar = Some(Spar::around_nose(made.name, made.arcs, layers));
             } else {
                 webs.push(made);
             }

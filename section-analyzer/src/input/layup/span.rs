@@ -130,7 +130,8 @@ fn present(sections: &[LayupSection]) -> BTreeSet<&str> {
         let webs = section.webs.iter().filter(|web| !web.plies.is_empty());
         found.extend(webs.clone().map(|web| web.name.as_str()));
         found.extend(webs.flat_map(|web| &web.plies).map(|ply| ply.name.as_str()));
-        found.extend(section.spar.iter().map(|spar| spar.web.as_str()));
+        let webs = section.spar.iter().flat_map(|spar| &spar.webs);
+        found.extend(webs.map(|web| web.name.as_str()));
         found.extend(section.fills.iter().map(|fill| fill.name.as_str()));
     }
     found

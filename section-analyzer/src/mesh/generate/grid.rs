@@ -65,6 +65,32 @@ impl Grid {
         }
     }
 
+    /// Nodes of a number of cells on the straight line from one node to another.
+    pub fn divided(&mut self, [a, b]: [u32; 2], count: usize) -> Vec<u32> {
+        let [from, to] = [a, b].map(|node| self.position(node));
+        let mut nodes = vec![a];
+        for i in 1..count {
+            let part = i as f64 / count as f64;
+            nodes.push(self.node([0, 1].map(|k| from[k] + part * (to[k] - from[k]))));
+        }
+        nodes.push(b);
+        nodes
+    }
+
+    /// Cells between two lines of nodes, the second one left of the first.
+    pub fn strip(&mut self, [right, left]: [&[u32]; 2], names: &[String]) {
+        for (a, b) in right.windows(2).zip(left.windows(2)) {
+            self.cell([a[0], a[1], b[1], b[0]], names);
+        }
+    }
+
+    /// Lines of named curves through nodes.
+    pub fn curve(&mut self, nodes: &[u32], names: &[String]) {
+        for side in nodes.windows(2).filter(|_| !names.is_empty()) {
+            self.line([side[0], side[1]], names);
+        }
+    }
+
     fn set(&mut self, dimension: u8, names: &[String]) -> GroupSet {
         let mut indices = Vec::with_capacity(names.len());
         for name in names {

@@ -17,29 +17,36 @@ use shared_geom::mesh::{CellKind, Mesh};
 
 use super::super::SectionMesh;
 
-mod area;
+pub(super) mod area;
+mod bend;
 mod build;
 mod butt;
+pub(super) mod cells;
 mod column;
+mod feet;
 mod fill;
 mod kinks;
-mod line;
+pub(super) mod line;
 mod mitre;
 mod outline;
 mod pairs;
+mod points;
 mod polygon;
 mod problem;
-mod spar;
-mod stack;
-mod stations;
+pub(super) mod spar;
+pub(super) mod spar_web;
+pub(super) mod stack;
+pub(super) mod stations;
 mod triangles;
 mod types;
-mod wall;
+pub(super) mod wall;
 mod webs;
 
 pub use outline::Outline;
 pub use problem::{LayupProblem, Upright};
-pub use types::{Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, Web, WebPly};
+pub use types::{
+    Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, SparWeb, Web, WebPly,
+};
 
 use wall::{Reach, Wall};
 

@@ -9,6 +9,7 @@
 //! cross s (x along the beam, y right, z up) points out of the shape; the inner boundary
 //! of a tube runs as its outer one, so that n points outward there too.
 
+mod bisect;
 pub mod blade;
 mod builder;
 mod ellipse;
@@ -16,6 +17,7 @@ mod grid;
 pub mod layup;
 mod problem;
 mod rectangle;
+mod spacing;
 mod tube;
 
 pub use ellipse::Ellipse;

@@ -1,16 +1,14 @@
-//! Positions along the contour at which cells begin and end.
+//! Positions along the contour at which cells begin and end, in pairs on both sides.
 //!
-//! The length h(u) of the cells is the requested one, shorter if the surface turns, and
-//! changes slowly; between two landmarks the positions follow from
-//!
-//! ```text
-//! int_0^u du / h = i I / n ,      n = I rounded up ,      h = min(size, turn / b)
-//! ```
-//!
-//! with as many cells on the upper as on the lower surface.
+//! The length of the cells is the requested one, shorter if the surface turns, and changes slowly;
+//! between two landmarks there are as many cells on the upper as on the lower side.
 
+use super::super::layup::Outline;
+use super::super::layup::stations::{Station, Stations};
+use super::super::spacing::Progress;
 use super::Sizes;
-use super::contour::{Contour, Half};
+use super::contour::Contour;
+use super::fill::even_cells;
 use super::problem::{BladeProblem, MOST_CELLS};
 
 /// Number of positions on each surface at which the length of cells is evaluated.
@@ -23,70 +21,33 @@ const LEAST: usize = 2;
 /// The positions, in pairs.
 #[derive(Debug)]
 pub(super) struct Columns {
-    /// On the upper surface, from the trailing edge to the nose.
-    pub upper: Vec<f64>,
-    /// On the lower surface, in the same order.
-    pub lower: Vec<f64>,
+    /// Arc lengths on the upper and the lower side, from the trailing edge to the nose.
+    pub sides: [Vec<f64>; 2],
     /// The position of each landmark.
     pub landmarks: Vec<usize>,
 }
 
-/// The sum of 1/h along a surface.
-struct Progress {
-    positions: Vec<f64>,
-    sums: Vec<f64>,
-}
-
-impl Progress {
-    /// From the trailing edge to the nose.
-    fn new(contour: &Contour, half: Half, sizes: &Sizes) -> Self {
-        let mut range = contour.range(half);
-        if half == Half::Lower {
-            range.reverse();
-        }
-        let [from, to] = range;
-        let positions: Vec<f64> = (0..=SAMPLES)
-            .map(|i| from + (to - from) * i as f64 / SAMPLES as f64)
-            .collect();
-        let mut lengths: Vec<f64> = positions
-            .iter()
-            .map(|&u| {
-                let turned = sizes.turn / contour.bend(u).abs().max(f64::MIN_POSITIVE);
-                turned.clamp(1e-4 * sizes.size, sizes.size)
-            })
-            .collect();
-        let most = GROWTH * ((to - from) / SAMPLES as f64).abs();
-        for i in 1..=SAMPLES {
-            lengths[i] = lengths[i].min(lengths[i - 1] + most);
-        }
-        for i in (0..SAMPLES).rev() {
-            lengths[i] = lengths[i].min(lengths[i + 1] + most);
-        }
-        let mut sums = vec![0.0];
-        for i in 0..SAMPLES {
-            let step = (positions[i + 1] - positions[i]).abs();
-            let mean = 0.5 * (1.0 / lengths[i] + 1.0 / lengths[i + 1]);
-            sums.push(sums[i] + step * mean);
-        }
-        Self { positions, sums }
+/// The sum of 1/h from the trailing edge to the nose.
+fn progress(contour: &Contour, side: usize, sizes: &Sizes) -> Progress {
+    let [from, to] = contour.range(side);
+    let step = (to - from) / SAMPLES as f64;
+    let mut lengths: Vec<f64> = (0..=SAMPLES)
+        .map(|i| {
+            let bend = contour.outline().bend(from + step * i as f64);
+            let turned = sizes.turn / bend.abs().max(f64::MIN_POSITIVE);
+            turned.clamp(1e-4 * sizes.size, sizes.size)
+        })
+        .collect();
+    let most = GROWTH * step.abs();
+    for i in 1..=SAMPLES {
+        lengths[i] = lengths[i].min(lengths[i - 1] + most);
     }
-
-    fn at(&self, u: f64) -> f64 {
-        interpolated(&self.positions, &self.sums, u)
+    for i in (0..SAMPLES).rev() {
+        lengths[i] = lengths[i].min(lengths[i + 1] + most);
     }
-
-    fn position(&self, sum: f64) -> f64 {
-        interpolated(&self.sums, &self.positions, sum)
-    }
-}
-
-/// Linear between points whose abscissas ascend or descend.
-fn interpolated(x: &[f64], f: &[f64], at: f64) -> f64 {
-    let is_ascending = x[x.len() - 1] > x[0];
-    let behind = x.partition_point(|x| (*x < at) == is_ascending && *x != at);
-    let i = behind.clamp(1, x.len() - 1);
-    let part = (at - x[i - 1]) / (x[i] - x[i - 1]);
-    f[i - 1] + part * (f[i] - f[i - 1])
+    let density = |pair: &[f64]| 0.5 * (1.0 / pair[0] + 1.0 / pair[1]);
+    let densities: Vec<f64> = lengths.windows(2).map(density).collect();
+    Progress::new([from, to], &densities)
 }
 
 impl Columns {
@@ -100,10 +61,10 @@ impl Columns {
         landmarks: &[[f64; 2]],
         sizes: &Sizes,
     ) -> Result<Self, BladeProblem> {
-        let progress = Half::BOTH.map(|half| Progress::new(contour, half, sizes));
+        let progress = [0, 1].map(|side| progress(contour, side, sizes));
         let sums: Vec<[f64; 2]> = landmarks
             .iter()
-            .map(|positions| [0, 1].map(|i| progress[i].at(positions[i])))
+            .map(|positions| [0, 1].map(|i| progress[i].up_to(positions[i])))
             .collect();
         let whole = sums[sums.len() - 1].iter().copied().fold(0.0, f64::max);
         if whole > MOST_CELLS as f64 {
@@ -111,8 +72,7 @@ impl Columns {
             return Err(BladeProblem::TooManyCells { found });
         }
         let mut columns = Self {
-            upper: vec![landmarks[0][0]],
-            lower: vec![landmarks[0][1]],
+            sides: landmarks[0].map(|s| vec![s]),
             landmarks: vec![0],
         };
         for (ends, marks) in sums.windows(2).zip(landmarks.windows(2)) {
@@ -121,27 +81,47 @@ impl Columns {
             let count = count.max(LEAST);
             for step in 1..count {
                 let part = step as f64 / count as f64;
-                let position = |i: usize| progress[i].position(ends[0][i] + part * lengths[i]);
-                columns.upper.push(position(0));
-                columns.lower.push(position(1));
+                let position = |i: usize| progress[i].place(ends[0][i] + part * lengths[i]);
+                (0..2).for_each(|side| columns.sides[side].push(position(side)));
             }
-            columns.upper.push(marks[1][0]);
-            columns.lower.push(marks[1][1]);
-            columns.landmarks.push(columns.upper.len() - 1);
+            (0..2).for_each(|side| columns.sides[side].push(marks[1][side]));
+            columns.landmarks.push(columns.sides[0].len() - 1);
         }
         Ok(columns)
     }
 
     /// The last column, at the nose.
     pub fn nose(&self) -> usize {
-        self.upper.len() - 1
+        self.sides[0].len() - 1
     }
 
-    /// The position of a column on a surface.
-    pub fn at(&self, half: Half, column: usize) -> f64 {
-        match half {
-            Half::Upper => self.upper[column],
-            Half::Lower => self.lower[column],
+    /// The column on the upper side that is nearest to an arc length.
+    pub fn nearest(&self, s: f64) -> usize {
+        let distance = |column: &usize| (self.sides[0][*column] - s).abs();
+        let columns = 0..self.sides[0].len();
+        let nearest = columns.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nearest.unwrap_or(0)
+    }
+
+    /// The columns as stations along the contour, and if it is closed those on its base, an even
+    /// number of cells of about this size.
+    pub fn stations(&self, outline: &Outline, size: f64, is_closed: bool) -> Stations {
+        let [upper, lower] = &self.sides;
+        let mut all = upper.clone();
+        all.extend(lower.iter().rev().skip(1));
+        let perimeter = outline.perimeter();
+        if is_closed && outline.base() > 0.0 {
+            let count = even_cells(outline.base(), size);
+            let step = outline.base() / count as f64;
+            let beside = |i: usize| step * i as f64;
+            let before: Vec<f64> = (0..count / 2).map(beside).collect();
+            let behind: Vec<f64> = before.iter().rev().map(|s| perimeter - s).collect();
+            all = [before, all, behind].concat();
+        }
+        let all = all.into_iter().map(|s| Station { s, pair: None });
+        Stations {
+            all: all.collect(),
+            pairs: Vec::new(),
         }
     }
 }

@@ -14,7 +14,7 @@
 //! ```
 
 use super::super::super::distance;
-use super::grid::Grid;
+use super::super::grid::Grid;
 
 /// Largest height of a cell, in widths.
 const SQUARE: f64 = 2.0;
@@ -45,13 +45,7 @@ pub(super) fn lines(
         let near = (counts[0] + 2 * column).min(counts[1] + 2 * (last - column));
         let size = size.min(SQUARE * width(grid, walls, column));
         let count = even_cells(distance(from, to), size).min(near.max(2));
-        let mut line = vec![lower[column]];
-        for cell in 1..count {
-            let part = cell as f64 / count as f64;
-            let position = [0, 1].map(|i| (1.0 - part) * from[i] + part * to[i]);
-            line.push(grid.node(position));
-        }
-        line.push(upper[column]);
+        let line = grid.divided([lower[column], upper[column]], count);
         lines.push(line);
     }
     lines.push(last_line);
@@ -70,10 +64,7 @@ fn width(grid: &Grid, walls: [&[u32]; 2], column: usize) -> f64 {
 /// The cells between two lines; the second lies ahead.
 pub(super) fn strip(grid: &mut Grid, behind: &[u32], ahead: &[u32], name: &[String]) {
     if behind.len() == ahead.len() {
-        for (a, b) in behind.windows(2).zip(ahead.windows(2)) {
-            grid.cell([a[0], b[0], b[1], a[1]], name);
-        }
-        return;
+        return grid.strip([ahead, behind], name);
     }
     let middles = [behind, ahead].map(|line| line.len() / 2);
     let below = [&behind[..=middles[0]], &ahead[..=middles[1]]];

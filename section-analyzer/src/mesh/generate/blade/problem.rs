@@ -3,6 +3,7 @@
 use shared_geom::error::Explain;
 
 use super::super::super::short;
+use super::super::layup::LayupProblem;
 
 /// Largest number of cells of a section: far beyond any need.
 pub(super) const MOST_CELLS: usize = 400_000;
@@ -178,6 +179,9 @@ pub enum BladeProblem {
         /// The chordwise position ahead of which there is enough space [-].
         ahead: Option<f64>,
     },
+    /// A contour, or plies of a spar, that a layup cannot have.
+    #[error("{0}")]
+    Layup(LayupProblem),
     /// Too many cells.
     #[error("cells of this size are {found} in all, expected at most {MOST_CELLS}")]
     TooManyCells {
@@ -217,6 +221,9 @@ impl BladeProblem {
             Self::NoseMass { .. } => BladePart::NoseMass,
             Self::Tight { about, .. } | Self::Collision { about, .. } => *about,
             Self::EdgeThick { .. } => BladePart::Skin,
+            Self::Layup(problem) if !matches!(problem, LayupProblem::Contour { .. }) => {
+                BladePart::Spar
+            }
             Self::TooManyCells { .. } | Self::Folded { .. } => BladePart::Mesh,
             _ => BladePart::Airfoil,
         }
@@ -255,6 +262,7 @@ impl Explain for BladeProblem {
                 ));
             }
             Self::EdgeThick { .. } => "closure = \"open\" gives a skin without a wall there",
+            Self::Layup(problem) => return problem.help(),
             Self::TooManyCells { .. } => "larger cells: [mesh] size",
             Self::Folded {
                 unfolded: Some(size),

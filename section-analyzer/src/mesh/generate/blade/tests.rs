@@ -6,6 +6,7 @@ use shared_geom::error::{Explain, SourceLocation};
 use shared_geom::mesh::{Cell, CellKind, Mesh};
 
 use super::super::super::{SectionMesh, distance, short};
+use super::super::layup::area::area_of;
 use super::*;
 
 const CHORD: f64 = 100.0;
@@ -76,25 +77,6 @@ fn d_spar() -> Blade {
         // the radius of a nose is 1.1 t^2: here 3.6
         ..skin("0018", false)
     }
-}
-
-fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
-    let jacobian = |r: f64, s: f64| {
-        let shape = cell.kind.shape(r, s);
-        let (mut dr, mut ds) = ([0.0; 2], [0.0; 2]);
-        for (i, &node) in cell.nodes().iter().enumerate() {
-            for axis in 0..2 {
-                let x = mesh.nodes[node as usize].position[axis];
-                dr[axis] += shape.dr[i] * x;
-                ds[axis] += shape.ds[i] * x;
-            }
-        }
-        dr[0] * ds[1] - dr[1] * ds[0]
-    };
-    let points = cell.kind.rule().iter();
-    points
-        .map(|point| point.weight * jacobian(point.r, point.s))
-        .sum()
 }
 
 /// Area of the cells in a group, or of all.
@@ -387,20 +369,22 @@ fn what_does_not_fit_is_reported_where() {
 /// 30 % and at the trailing edge, 4412 near its highest point at 40 %.
 #[test]
 fn airfoils_are_those_of_the_report() {
-    let at = |digits: &str, is_closed: bool, half: Half, part: f64| {
+    let at = |digits: &str, is_closed: bool, side: usize, part: f64| {
         let points = naca(digits, is_closed).unwrap();
         let contour = Contour::new(&points, 100.0, 0.0, 1.0).unwrap();
-        contour.position(contour.at_chord(half, part).unwrap())[1]
+        contour
+            .outline()
+            .position(contour.at_chord(side, part).unwrap())[1]
     };
-    for (digits, half, part, expected) in [
-        ("0012", Half::Upper, 0.3, 6.002),
-        ("0012", Half::Lower, 0.3, -6.002),
-        ("0012", Half::Upper, 0.05, 3.555),
-        ("0012", Half::Upper, 0.4, 5.803),
-        ("4412", Half::Upper, 0.4, 9.80),
-        ("4412", Half::Lower, 0.4, -1.80),
+    for (digits, side, part, expected) in [
+        ("0012", 0, 0.3, 6.002),
+        ("0012", 1, 0.3, -6.002),
+        ("0012", 0, 0.05, 3.555),
+        ("0012", 0, 0.4, 5.803),
+        ("4412", 0, 0.4, 9.80),
+        ("4412", 1, 0.4, -1.80),
     ] {
-        let found = at(digits, false, half, part);
+        let found = at(digits, false, side, part);
         // half of the last digit
         let half_digit = if digits == "0012" { 6e-4 } else { 6e-3 };
         assert!(
@@ -450,23 +434,34 @@ fn airfoils_that_are_none_are_reported() {
     ));
 }
 
-/// Caps as thick as the thickest cells along the wall: small cells beside the corners of the webs
-/// fold, and cells as long as the caps are thick do not.
+/// Cells of cores that are far higher than the cells of a spar are long fold at the corners of its
+/// webs; longer ones do not.
 #[test]
 fn a_size_of_cells_without_folds_is_recommended() {
-    let mut cap = around("cap", 2.3);
-    cap.webs = [false; 2];
-    let points = naca("0030", false).unwrap();
+    let ending = SparPly {
+        lower: None,
+        webs: [true, false],
+        ..around("ending", 0.5)
+    };
+    let points = naca("2415", false).unwrap();
     let blade = Blade {
-        contour: Contour::new(&points, CHORD, 0.25, 1.0).unwrap(),
-        skin: vec![ply("skin", 0.1)],
+        contour: Contour::new(&points, CHORD, 0.25, 0.95).unwrap(),
+        skin: vec![ply("skin", 0.2)],
+        is_closed: false,
         spar: Some(Spar {
-            front_web: Some(0.2),
-            rear_web: 0.5,
-            plies: vec![cap, around("web", 0.33)],
+            front_web: Some(0.15),
+            rear_web: 0.4,
+            plies: vec![around("spar", 0.5), ending],
         }),
-        sizes: Sizes::new(0.67),
-        ..skin("0030", false)
+        cores: Cores {
+            nose: Some("foam".into()),
+            spar: Some("foam".into()),
+            ..Cores::default()
+        },
+        sizes: Sizes {
+            core: 2.5,
+            ..Sizes::new(0.5)
+        },
     };
     let Err(problems) = blade.generate() else {
         panic!("cells of this size do not fold");
@@ -480,6 +475,9 @@ fn a_size_of_cells_without_folds_is_recommended() {
         help,
         format!("no cell folds with [mesh] size = {}", short(size))
     );
-    let sizes = Sizes::new(size);
+    let sizes = Sizes {
+        size,
+        ..blade.sizes.clone()
+    };
     assert!(Blade { sizes, ..blade }.generate().is_ok());
 }

@@ -4,7 +4,7 @@ use shared_geom::mesh::{Cell, Mesh};
 
 use super::super::super::distance;
 use super::problem::LayupProblem;
-use super::spar::SparWall;
+use super::spar::{SparWall, WebWall};
 use super::types::{LayerArea, LayupSection};
 use super::wall::Wall;
 
@@ -87,7 +87,8 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     let mut sums = vec![0.0; wall.stack.len()];
     let mut cut = sums.clone();
     // the layers of a spar end without a ramp
-    let corners = wall.spar.iter().flat_map(|spar| spar.corners);
+    let webs = wall.spar.iter().flat_map(|spar| &spar.webs);
+    let corners = webs.flat_map(|web| web.corners);
     let kinks = wall.stack.kinks().into_iter().map(|kink| kink.s);
     let inside = corners.chain(kinks).filter(|s| *s > from && *s < to);
     let mut ends: Vec<f64> = [from, to].into_iter().chain(inside).collect();
@@ -126,25 +127,32 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     (sums, cut)
 }
 
-/// The parts along the web of a spar; each of its mitres takes of both surfaces.
+/// The parts along the webs of a spar; each of their mitres takes of both surfaces.
 fn add_spar(wall: &Wall, spar: &SparWall, sums: &mut [f64]) {
-    let faces = spar.corners.map(|s| {
+    for web in &spar.webs {
+        add_web(wall, (spar, web), sums);
+    }
+}
+
+/// The parts along a web of a spar.
+fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), sums: &mut [f64]) {
+    let faces = web.corners.map(|s| {
         let (p, n) = (wall.outline.position(s), wall.outline.inward(s));
         let depth = wall.stack.before(spar.first, s);
         [0, 1].map(|i| p[i] + depth * n[i])
     });
     let length = distance(faces[0], faces[1]);
-    for (side, s) in spar.corners.into_iter().enumerate() {
+    for (side, s) in web.corners.into_iter().enumerate() {
         let mut outer = 0.0;
         for (layer, sum) in sums.iter_mut().enumerate().skip(spar.first) {
             let inner = outer + wall.stack.thickness(layer, s);
-            *sum -= 0.5 * (inner * inner - outer * outer) * spar.leans[side];
+            *sum -= 0.5 * (inner * inner - outer * outer) * web.leans[side];
             outer = inner;
         }
     }
-    let lean = spar.leans[0] + spar.leans[1];
+    let lean = web.leans[0] + web.leans[1];
     let mut outer = 0.0;
-    for layer in &spar.layers {
+    for layer in &web.layers {
         let inner = outer + wall.stack.full(*layer);
         sums[*layer] += (inner - outer) * (length - 0.5 * (inner + outer) * lean);
         outer = inner;
@@ -152,7 +160,7 @@ fn add_spar(wall: &Wall, spar: &SparWall, sums: &mut [f64]) {
 }
 
 /// Area of a cell.
-pub(super) fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
+pub(in super::super) fn area_of(mesh: &Mesh, cell: &Cell) -> f64 {
     let positions = || {
         cell.nodes()
             .iter()

@@ -38,27 +38,22 @@ pub(super) fn add_butt(web: &Web, ends: [&[u32]; 2], size: f64, grid: &mut Grid)
             depth += ply.thickness / cells;
             let at = |p: &[f64; 2]| [0, 1].map(|i| p[i] + depth * behind[i]);
             let next: Vec<u32> = base.iter().map(|p| grid.node(at(p))).collect();
-            for (fore, aft) in last.windows(2).zip(next.windows(2)) {
-                grid.cell([aft[0], aft[1], fore[1], fore[0]], &names);
-            }
+            grid.strip([&next, &last], &names);
             last = next;
         }
     }
-    for pair in fore.windows(2).rev() {
-        grid.line([pair[1], pair[0]], std::slice::from_ref(&web.name));
-    }
+    let upward: Vec<u32> = fore.into_iter().rev().collect();
+    grid.curve(&upward, std::slice::from_ref(&web.name));
 }
 
 /// The nodes on the base from the suction to the pressure side: the ones of the end columns, and new
 /// ones between them.
 fn along_base([suction, pressure]: [&[u32]; 2], size: f64, grid: &mut Grid) -> Vec<u32> {
-    let [from, to] = [suction, pressure].map(|end| grid.position(end[end.len() - 1]));
+    let ends = [suction, pressure].map(|end| end[end.len() - 1]);
+    let [from, to] = ends.map(|node| grid.position(node));
     let cells = (distance(from, to) / size).ceil().clamp(LEAST, MOST);
     let mut nodes = suction.to_vec();
-    for i in 1..cells as usize {
-        let part = i as f64 / cells;
-        nodes.push(grid.node([0, 1].map(|k| from[k] + part * (to[k] - from[k]))));
-    }
+    nodes.extend(grid.divided(ends, cells as usize));
     nodes.extend(pressure.iter().rev());
     // layers that are absent have no nodes of their own
     nodes.dedup();

@@ -1,30 +1,30 @@
 //! The columns of cells through the layers of a wall.
 //!
-//! The direction of a column is the normal, except near corners of the contour and where
-//! the layers of both sides meet:
+//! The direction of a column is the normal, except where the layers of both sides meet:
 //!
 //! ```text
-//! v = n + M e                                beside a mitred corner,
 //! v = u / (u . n)                            on the line u of a pair in a contact,
 //! v = (1 - w) n + w u / (u . n)              before and behind the contact,
 //! ```
 //!
-//! all with v . n = 1. At a web at the trailing edge, u is the base.
+//! all with v . n = 1. At a web at the trailing edge, u is the base. Beside corners columns lean along
+//! the surface.
 
+use super::bend::{Bend, Lean};
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
 
 /// A column of cells.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Column {
+pub(in super::super) struct Column {
     /// Its point on the contour.
     pub point: [f64; 2],
     /// Its direction, of unit component along the normal.
-    pub along: [f64; 2],
+    pub direction: [f64; 2],
     /// Depths of the faces of layers and of the cells in them, from 0.
     pub depths: Vec<f64>,
-    /// The depth of its bend, and its direction beyond it.
-    pub knee: Option<(f64, [f64; 2])>,
+    /// Its lean beside a corner.
+    pub bend: Option<Bend>,
     /// Whether it ends at a contact.
     pub is_closed: bool,
 }
@@ -40,27 +40,15 @@ impl Wall {
         let point = self.outline.position(s);
         let side = usize::from(s > self.outline.nose());
         let x = match self.edge {
-            Edge::Smooth => 0.0,
+            Edge::Smooth | Edge::Open => 0.0,
             _ => self.pairs.x(side, s).min(1.0),
         };
         let Some(weight) = self.weight(s, x) else {
-            if let Some(column) = self.bent(s, point) {
-                return column;
-            }
-            let (along, lean) = self.mitred(s);
-            let depths = self.depths(s, None).into_iter();
-            let bend = if lean == 0.0 {
-                0.0
-            } else {
-                self.outline.bend(s)
-            };
             return Column {
                 point,
-                along,
-                depths: depths
-                    .map(|depth| leaned_depth(depth, lean, bend))
-                    .collect(),
-                knee: None,
+                direction: self.outline.inward(s),
+                depths: self.depths(s, None),
+                bend: self.bend(s),
                 is_closed: false,
             };
         };
@@ -89,14 +77,14 @@ impl Wall {
         let s = pair.s[side];
         let (n, sign) = (self.outline.inward(s), [1.0, -1.0][side]);
         let lean = weight * sign / pair.cosines[side];
-        let along = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
+        let direction = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
         let is_closed = weight >= 1.0 && !self.is_on_base(s);
         let limit = is_closed.then(|| pair.limit(side, &self.stack));
         Column {
             point: self.outline.position(s),
-            along,
+            direction,
             depths: self.depths(s, limit),
-            knee: None,
+            bend: None,
             is_closed,
         }
     }
@@ -109,18 +97,20 @@ impl Wall {
         self.edge == Edge::Butt && ends.any(|end| (end - s).abs() < near)
     }
 
-    /// The column at an arc length if it bends beside the web of a spar.
-    fn bent(&self, s: f64, point: [f64; 2]) -> Option<Column> {
-        let spar = self.spar.as_ref()?;
-        let (depth, lean) = spar.knee(&self.stack, s)?;
-        let n = self.outline.inward(s);
-        // a straight mitre, so that the web has its thicknesses at curved surfaces too
-        Some(Column {
-            point,
-            along: n,
-            depths: self.depths(s, None),
-            knee: Some((depth, [n[0] - lean * n[1], n[1] + lean * n[0]])),
-            is_closed: false,
+    /// The lean of the column at an arc length beside a corner.
+    fn bend(&self, s: f64) -> Option<Bend> {
+        let of_spar = self.spar.as_ref();
+        let of_spar = of_spar.and_then(|spar| spar.bend(&self.outline, &self.stack, s));
+        of_spar.or_else(|| {
+            let lean = self.mitres.iter().find_map(|one| one.part(s))?;
+            let normal = self.outline.inward(s);
+            Some(Bend {
+                depth: 0.0,
+                normal,
+                direction: [-normal[1], normal[0]],
+                bend: self.outline.bend(s),
+                lean: Lean::Along(lean),
+            })
         })
     }
 
@@ -165,19 +155,6 @@ impl Wall {
         } else {
             weight * weight * (3.0 - 2.0 * weight)
         })
-    }
-
-    /// Direction of a column far from contacts, and its lean.
-    fn mitred(&self, s: f64) -> ([f64; 2], f64) {
-        let n = self.outline.inward(s);
-        // t, along the contour
-        let t = [-n[1], n[0]];
-        let lean = self
-            .mitres
-            .iter()
-            .find_map(|one| one.part(s))
-            .unwrap_or(0.0);
-        ([0, 1].map(|k| n[k] + lean * t[k]), lean)
     }
 
     /// Depths of the faces of layers and of the cells in them, cut at a limit.
@@ -226,20 +203,20 @@ impl Wall {
     }
 }
 
-/// The part of a leaned column, in its direction, with this depth normal to a circle of the
-/// curvature of the contour: the root d of `(1 + M^2) k d^2 - 2 d + 2 depth - k depth^2 = 0`.
-fn leaned_depth(depth: f64, lean: f64, bend: f64) -> f64 {
-    let twice = depth * (2.0 - bend * depth);
-    let root = 1.0 - (1.0 + lean * lean) * bend * twice;
-    twice / (1.0 + root.max(0.0).sqrt())
-}
-
 impl Column {
     /// The point at a depth.
     pub fn at(&self, depth: f64) -> [f64; 2] {
-        let (knee, beyond) = self.knee.unwrap_or((depth, self.along));
-        let (outer, inner) = (depth.min(knee), (depth - knee).max(0.0));
-        [0, 1].map(|i| self.point[i] + outer * self.along[i] + inner * beyond[i])
+        let bend = self.bend.as_ref().filter(|bend| depth > bend.depth);
+        let along = bend.map_or(0.0, |bend| bend.along(depth - bend.depth));
+        self.beside(depth, along)
+    }
+
+    /// The point at a depth with a distance along the surface.
+    pub fn beside(&self, depth: f64, along: f64) -> [f64; 2] {
+        let bend = self.bend.as_ref().filter(|bend| depth > bend.depth);
+        let outer = bend.map_or(depth, |bend| bend.depth);
+        let beyond = bend.map_or([0.0; 2], |bend| bend.beyond(depth - bend.depth, along));
+        [0, 1].map(|i| self.point[i] + outer * self.direction[i] + beyond[i])
     }
 
     /// Its inner end.

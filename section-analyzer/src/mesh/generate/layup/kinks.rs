@@ -8,7 +8,7 @@ pub(super) const NEAR: f64 = 0.03;
 
 /// A place at which the slope of the thickness of a layer changes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kink {
+pub(in super::super) struct Kink {
     /// Arc length.
     pub s: f64,
     /// Distance within which stations on both of its sides may replace a station on it.

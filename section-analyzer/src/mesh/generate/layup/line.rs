@@ -4,7 +4,7 @@ use super::super::super::distance;
 
 /// A line across a section.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Line {
+pub(in super::super) struct Line {
     origin: [f64; 2],
     /// Its unit normal, forward.
     pub normal: [f64; 2],

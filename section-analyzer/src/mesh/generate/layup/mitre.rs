@@ -31,7 +31,7 @@ const MOST: usize = 2000;
 
 /// A mitred corner.
 #[derive(Debug, Clone)]
-pub(super) struct Mitre {
+pub(in super::super) struct Mitre {
     /// Its arc length.
     pub s: f64,
     /// Tangent of half the turn, positive if the section is convex [-].
@@ -50,33 +50,63 @@ pub(super) struct Mitre {
 
 /// The lean over the distance from a corner.
 #[derive(Debug, Clone)]
-pub(super) struct Fade {
+pub(in super::super) struct Fade {
     step: f64,
     /// M at equal steps; 0 at the last one.
     lean: Vec<f64>,
 }
 
-/// The mitres of an outline, also of its base if `has_base`.
-pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mitre> {
-    let ([first, last], tangents) = (outline.corners(), outline.rear_tangents());
+/// A corner: its arc length, the tangent of half its turn, and its place at the base if it is there.
+type Place = (f64, f64, Option<usize>);
+
+/// The corners of an outline in their order; a trailing edge without a base has one if its sides
+/// `are_joined`.
+fn corners(outline: &Outline, are_joined: bool) -> Vec<Place> {
+    let ([first, last], [before, behind]) = (outline.corners(), outline.rear_tangents());
     let breaks = outline.breaks().iter();
-    let has_rear = !outline.is_smooth();
-    let rear = |which: usize| has_rear.then_some(([first, last][which], tangents[which]));
-    let breaks = breaks.map(|corner| (corner.s, corner.tangent));
-    let corners: Vec<(f64, f64)> = rear(0).into_iter().chain(breaks).chain(rear(1)).collect();
+    let breaks = breaks.map(|corner| (corner.s, corner.tangent, None));
+    let (from, to) = match (outline.is_smooth(), are_joined && outline.base() == 0.0) {
+        (true, _) => (None, None),
+        (false, true) => (Some((first, outline.rear_tangent(), Some(0))), None),
+        (false, false) => (
+            Some((first, before, Some(0))),
+            Some((last, behind, Some(1))),
+        ),
+    };
+    from.into_iter().chain(breaks).chain(to).collect()
+}
+
+/// The mitres of an outline, also of its trailing edge if `has_rear`. Their leans fade before the
+/// arc lengths `stops`.
+pub(super) fn mitres(
+    outline: &Outline,
+    stack: &Stack,
+    has_rear: bool,
+    stops: &[f64],
+) -> Vec<Mitre> {
+    let corners = corners(outline, has_rear);
     let perimeter = outline.perimeter();
+    let count = corners.len();
     let length = |i: usize| stack.total(corners[i].0) * corners[i].1;
-    let at = |i: usize| {
-        let (s, tangent) = corners[i];
-        let count = corners.len();
-        let fades = [(i + count - 1) % count, (i + 1) % count];
+    let mitre = |i: usize| {
+        let (s, tangent, at_rear) = corners[i];
+        let others = [(i + count - 1) % count, (i + 1) % count];
         let fades = [0, 1].map(|which| {
-            let (other, sign) = (fades[which], [-1.0, 1.0][which]);
-            let way = (sign * (corners[other].0 - s)).rem_euclid(perimeter);
+            let (other, sign) = (others[which], [-1.0, 1.0][which]);
+            let way_to = |at: f64| (sign * (at - s)).rem_euclid(perimeter);
             // of a single corner all around
-            let way = if other == i { perimeter } else { way };
-            let [own, others] = [i, other].map(|i| length(i).abs());
-            let room = room(way, own, others);
+            let way = if other == i {
+                perimeter
+            } else {
+                way_to(corners[other].0)
+            };
+            let nearest = stops.iter().map(|at| way_to(*at)).fold(way, f64::min);
+            let others = if nearest < way {
+                0.0
+            } else {
+                length(other).abs()
+            };
+            let room = room(nearest, length(i).abs(), others);
             let at = |x: f64| (s + sign * x).rem_euclid(perimeter);
             let thickness = |x: f64| stack.total(at(x)).max(stack.total(s));
             Fade::new([tangent, length(i)], room, |x| {
@@ -87,14 +117,14 @@ pub(super) fn mitres(outline: &Outline, stack: &Stack, has_base: bool) -> Vec<Mi
             s,
             tangent,
             length: length(i),
-            is_rear: has_rear && (i == 0 || i + 1 == count),
-            is_last: has_rear && i + 1 == count,
+            is_rear: at_rear.is_some(),
+            is_last: at_rear == Some(1),
             perimeter,
             fades,
         }
     };
-    let all = (0..corners.len()).map(at);
-    all.filter(|one| has_base || !one.is_rear).collect()
+    let all = (0..count).map(mitre);
+    all.filter(|one| has_rear || !one.is_rear).collect()
 }
 
 /// The part of the way to the next corner that is of a corner: half of it, or in proportion to the
@@ -115,6 +145,12 @@ impl Fade {
         room: f64,
         surface: impl Fn(f64) -> (f64, f64),
     ) -> Self {
+        if length == 0.0 {
+            return Self {
+                step: room,
+                lean: vec![0.0; 2],
+            };
+        }
         let step = length.abs() / STEPS;
         let part = (length.abs() / room.max(f64::MIN_POSITIVE)).max(FADE);
         let mut lean = vec![tangent];

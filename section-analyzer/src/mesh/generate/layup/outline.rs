@@ -14,26 +14,22 @@ use shared_geom::quadrature;
 use shared_geom::spline::Spline;
 
 use super::super::super::distance;
-use super::polygon::{crossing, is_smooth, turn};
+use super::super::bisect::{bisect, zero};
+use super::points::{checked, splines, without_rounding};
+use super::polygon::is_smooth;
 use super::problem::LayupProblem;
 
 /// Points repeated at both ends of a smooth contour.
 const OVERLAP: usize = 8;
 /// Steps of the table of arc length.
 const STEPS: usize = 3000;
-/// Parts of the contour, from its ends, within which and at which distance points are kept.
-const ROUNDING: [f64; 2] = [0.01, 1e-3];
 /// Sum of the turns at both ends of a base below which the rear is round \[rad\]: 135 degrees; both
 /// turns are 180 degrees if the sides are parallel.
 const ROUND_BEHIND: f64 = 2.36;
-/// A turn at a point given twice is a corner above this angle \[rad\]: 10 degrees.
-const TURN: f64 = 0.175;
 /// Part of the contour within which the nose is at a corner.
 const AT_CORNER: f64 = 1e-5;
 /// Part of the contour around an estimate in which the nearest point is searched.
 const AROUND: f64 = 0.01;
-/// Fewest points of a contour.
-const LEAST: usize = 9;
 /// Samples of a search along the contour.
 const SAMPLES: usize = 400;
 
@@ -52,7 +48,8 @@ pub struct Outline {
     perimeter: f64,
     is_smooth: bool,
     nose: f64,
-    middle: [f64; 2],
+    /// First and last point.
+    rear: [[f64; 2]; 2],
 }
 
 /// A corner of the contour that is not at the trailing edge.
@@ -93,7 +90,7 @@ impl Outline {
         } else {
             distance(points[0], points[last])
         };
-        let middle = [0, 1].map(|i| 0.5 * (points[0][i] + points[last][i]));
+        let rear = [points[0], points[last]];
         if is_smooth && is_closed {
             points.pop();
             last -= 1;
@@ -118,7 +115,7 @@ impl Outline {
             perimeter: 0.0,
             is_smooth,
             nose: 0.0,
-            middle,
+            rear,
         };
         outline.measure();
         Ok(outline)
@@ -135,7 +132,8 @@ impl Outline {
         }
         self.perimeter = self.arcs[STEPS] + 0.5 * self.base;
         self.corners = self.sharp();
-        self.nose = self.farthest(|point| distance(point, self.middle));
+        let middle = self.middle();
+        self.nose = self.farthest(|point| distance(point, middle));
         let near = |one: &&Corner| (one.s - self.nose).abs() < AT_CORNER * self.perimeter;
         if let Some(corner) = self.corners.iter().find(near) {
             self.nose = corner.s;
@@ -223,16 +221,6 @@ impl Outline {
         piece.each_ref().map(|f| f.slope(i, u))
     }
 
-    /// First and last point of the splines.
-    fn rear(&self) -> [[f64; 2]; 2] {
-        let last = &self.pieces[self.pieces.len() - 1];
-        let first = self.pieces[0].each_ref().map(|f| f.values()[0]);
-        [
-            first,
-            last.each_ref().map(|f| f.values()[f.values().len() - 1]),
-        ]
-    }
-
     /// Parameter of the spline at an arc length.
     fn parameter(&self, s: f64) -> f64 {
         let after = self.arcs.partition_point(|arc| *arc <= s).clamp(1, STEPS);
@@ -280,7 +268,8 @@ impl Outline {
 
     /// Middle of the trailing edge.
     pub fn middle(&self) -> [f64; 2] {
-        self.middle
+        let [first, last] = self.rear;
+        [0, 1].map(|i| 0.5 * (first[i] + last[i]))
     }
 
     /// Arc lengths of the corners of the trailing edge, on the suction and the pressure side.
@@ -309,29 +298,45 @@ impl Outline {
         let at = |i: usize| nose + (end - nose) * i as f64 / SAMPLES as f64;
         let ahead = |s: f64| ahead(self.position(s));
         let first = (1..=SAMPLES).find(|i| ahead(at(i - 1)) != ahead(at(*i)))?;
-        let (mut fore, mut aft) = (at(first - 1), at(first));
-        let is_ahead = ahead(fore);
-        for _ in 0..60 {
-            let middle = 0.5 * (fore + aft);
-            if ahead(middle) == is_ahead {
-                fore = middle;
-            } else {
-                aft = middle;
-            }
-        }
-        Some(0.5 * (fore + aft))
+        let ends = [at(first - 1), at(first)];
+        Some(bisect(ends, ahead(ends[0]), ahead))
     }
 
     /// Arc length of the foremost point: the largest y.
     pub fn foremost(&self) -> f64 {
-        self.farthest(|point| point[0])
+        let near = self.farthest(|point| point[0]);
+        let reach = AT_CORNER * self.perimeter;
+        let forward = |s: f64| self.inward(s)[1];
+        zero([near - reach, near + reach], forward).unwrap_or(near)
+    }
+
+    /// The contour with its nose at the foremost point.
+    pub fn with_foremost_nose(mut self) -> Self {
+        self.nose = self.foremost();
+        self
+    }
+
+    /// The part of the contour between two arc lengths, with a base between its ends.
+    pub fn between_ends(&self, ends: [f64; 2]) -> Self {
+        let [from, to] = ends.map(|s| self.parameter(s));
+        let rear = ends.map(|s| self.position(s));
+        let mut part = Self {
+            start: [from, (to - from) / STEPS as f64],
+            arcs: Vec::with_capacity(STEPS + 1),
+            base: distance(rear[0], rear[1]),
+            is_smooth: false,
+            rear,
+            ..self.clone()
+        };
+        part.measure();
+        part
     }
 
     /// The point at an arc length.
     pub fn position(&self, s: f64) -> [f64; 2] {
         if let Some(part) = self.on_base(s) {
-            let [first, last] = self.rear();
-            return [0, 1].map(|i| self.middle[i] + 0.5 * part * (first[i] - last[i]));
+            let ([first, last], middle) = (self.rear, self.middle());
+            return [0, 1].map(|i| middle[i] + 0.5 * part * (first[i] - last[i]));
         }
         let u = self.parameter(s);
         let (piece, i) = self.piece(u);
@@ -350,7 +355,7 @@ impl Outline {
 
     /// Unit normal of the base into the section.
     pub fn base_inward(&self) -> [f64; 2] {
-        let [first, last] = self.rear();
+        let [first, last] = self.rear;
         let [y, z] = [first[0] - last[0], first[1] - last[1]];
         let length = y.hypot(z).max(f64::MIN_POSITIVE);
         [z / length, -y / length]
@@ -367,6 +372,13 @@ impl Outline {
             );
             (0.5 * sine.abs().atan2(cosine)).tan()
         })
+    }
+
+    /// Tangent of half the turn at the corner of a trailing edge without a base.
+    pub fn rear_tangent(&self) -> f64 {
+        let [a, b] = [self.perimeter, 0.0].map(|s| self.inward(s));
+        let (sine, cosine) = (a[1] * b[0] - a[0] * b[1], a[0] * b[0] + a[1] * b[1]);
+        (0.5 * sine.atan2(cosine)).tan()
     }
 
     /// Whether both sides turn to the base so little that they do not run beside each other there.
@@ -386,102 +398,4 @@ impl Outline {
         let [ddy, ddz] = piece.each_ref().map(|f| f.bend(i, u));
         (ddy * z - ddz * y) / y.hypot(z).powi(3)
     }
-}
-
-/// The length of the polygon and the splines of both coordinates through points, of which
-/// `overlap` are repeated at both ends; at the points `sharp` they begin anew.
-fn splines(
-    points: &[[f64; 2]],
-    overlap: usize,
-    sharp: &[[f64; 2]],
-) -> (Vec<f64>, Vec<[Spline; 2]>) {
-    let ring = [
-        &points[points.len() - overlap..],
-        points,
-        &points[..overlap],
-    ]
-    .concat();
-    let mut along = vec![0.0];
-    for pair in ring.windows(2) {
-        along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
-    }
-    let last = ring.len() - 1;
-    let inner = (1..last).filter(|i| sharp.contains(&ring[*i]));
-    let ends: Vec<usize> = [0].into_iter().chain(inner).chain([last]).collect();
-    let piece = |ends: &[usize]| {
-        let range = ends[0]..=ends[1];
-        [0, 1].map(|i| {
-            let values: Vec<f64> = ring[range.clone()].iter().map(|point| point[i]).collect();
-            Spline::new(&along[range.clone()], &values)
-        })
-    };
-    let pieces = ends.windows(2).map(piece).collect();
-    (along, pieces)
-}
-
-/// Points without those that round the corners of a trailing edge: near both ends only points
-/// at some distance from the one before are kept. Walls are mitred at sharp corners.
-fn without_rounding(points: Vec<[f64; 2]>, length: f64) -> Vec<[f64; 2]> {
-    let one_end = |points: Vec<[f64; 2]>| {
-        let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
-        let (mut along, mut before) = (0.0, points[0]);
-        for point in points {
-            along += distance(before, point);
-            before = point;
-            let is_apart = |last: &[f64; 2]| distance(*last, point) > ROUNDING[1] * length;
-            if along > ROUNDING[0] * length || kept.last().is_none_or(is_apart) {
-                kept.push(point);
-            }
-        }
-        kept.reverse();
-        kept
-    };
-    one_end(one_end(points))
-}
-
-/// Points without doubled ones, and corners; refuses lists that are no contour.
-fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupProblem> {
-    let wrong = |why: String| Err(LayupProblem::Contour { why });
-    if let Some(index) = points
-        .iter()
-        .position(|p| !(p[0].is_finite() && p[1].is_finite()))
-    {
-        return wrong(format!("has no number in row {}", index + 1));
-    }
-    let mut distinct: Vec<[f64; 2]> = Vec::with_capacity(points.len());
-    let size: f64 = points
-        .windows(2)
-        .map(|pair| distance(pair[0], pair[1]))
-        .sum();
-    let mut doubled = Vec::new();
-    for point in points {
-        let last = distinct.last().copied();
-        match last.filter(|last| distance(*last, *point) <= 1e-9 * size) {
-            Some(last) => doubled.push(last),
-            None => distinct.push(*point),
-        }
-    }
-    let inner = distinct.windows(3);
-    let sharp = inner.filter(|three| doubled.contains(&three[1]) && turn(three) > TURN);
-    let sharp = sharp.map(|three| three[1]).collect();
-    if distinct.len() < LEAST {
-        return wrong(format!(
-            "has {} points, expected {LEAST} or more",
-            distinct.len()
-        ));
-    }
-    let around = || distinct.iter().zip(distinct.iter().cycle().skip(1));
-    let area: f64 = around().map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
-    if area >= 0.0 {
-        let why = "runs counterclockwise, expected from the trailing edge over the suction side";
-        return wrong(why.into());
-    }
-    if let Some([a, b]) = crossing(&distinct) {
-        return wrong(format!(
-            "crosses itself between rows {} and {}",
-            a + 1,
-            b + 1
-        ));
-    }
-    Ok([distinct, sharp])
 }

@@ -13,6 +13,7 @@
 //! line, and the rest of the other half that the layers there leave.
 
 use super::super::super::distance;
+use super::super::bisect::bisect;
 use super::outline::Outline;
 use super::stack::Stack;
 
@@ -29,7 +30,7 @@ const SHORT: f64 = 0.05;
 
 /// Pairs of points of a contour whose sides end at `edges`.
 #[derive(Debug, Clone)]
-pub(super) struct Pairs {
+pub(in super::super) struct Pairs {
     outline: Outline,
     edges: [f64; 2],
     aft: [f64; 2],
@@ -42,7 +43,7 @@ pub(super) struct Pairs {
 
 /// A pair.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pair {
+pub(in super::super) struct Pair {
     /// Arc lengths on the suction and the pressure side.
     pub s: [f64; 2],
     /// Unit vector from the suction to the pressure side.
@@ -245,17 +246,4 @@ impl Pair {
         };
         share * self.cosines[side]
     }
-}
-
-/// The position at which a statement changes.
-fn bisect([mut a, mut b]: [f64; 2], at_a: bool, is: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..40 {
-        let middle = 0.5 * (a + b);
-        if is(middle) == at_a {
-            a = middle;
-        } else {
-            b = middle;
-        }
-    }
-    0.5 * (a + b)
 }

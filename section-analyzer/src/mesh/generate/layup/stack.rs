@@ -5,7 +5,7 @@
 //! total thickness. Layers that end at one place have one ramp.
 
 use super::kinks::{Kink, NEAR};
-use super::types::{Layer, SAME_ARC, Spar};
+use super::types::{Layer, Spar};
 
 /// Part of the size of cells within which ends are one place.
 const ONE_PLACE: f64 = 0.1;
@@ -33,12 +33,12 @@ const ABSENT: f64 = 0.03;
 
 /// The layers of a section.
 #[derive(Debug, Clone)]
-pub(super) struct Stack {
+pub(in super::super) struct Stack {
     courses: Vec<Course>,
     perimeter: f64,
     is_ring: bool,
-    /// Arc lengths of the corners of a spar.
-    spar: Option<[f64; 2]>,
+    /// Arc lengths of the corners of the webs of a spar, the aft web first.
+    spar: Vec<[f64; 2]>,
     size: f64,
 }
 
@@ -55,8 +55,9 @@ struct Course {
     profile: Vec<[f64; 2]>,
     /// Begin and end of the ramps at its start and its end; `None` at a trailing edge.
     ramps: [Option<[f64; 2]>; 2],
-    /// Its width along the contour.
+    /// Its width along the contour, and the arc length in its middle.
     width: f64,
+    middle: f64,
 }
 
 /// An end of a layer.
@@ -94,14 +95,14 @@ impl Stack {
             let margin = (AT_EDGE[0] * perimeter).min(AT_EDGE[1] * width);
             let [low, high] = if is_ring { [0.0, perimeter] } else { edges };
             let reaches = [from < low + margin, to > high - margin];
-            if reaches == [true; 2] {
+            if reaches == [true; 2] || width <= 0.0 {
                 continue;
             }
             let usual = layer.thickness.clamp(LEAST_RAMP * size, size);
             let ramp = layer.taper.unwrap_or(usual);
             for (which, at) in [from, to].into_iter().enumerate() {
                 let arc = [layer.from, layer.to][which];
-                let at_web = spar.is_some_and(|spar| (spar.arcs[which] - arc).abs() < SAME_ARC);
+                let at_web = spar.is_some_and(|spar| spar.ends_at(arc));
                 let is_sharp = layer.ends_at_zero(which);
                 let has_face = reaches[which] && !is_ring;
                 if is_sharp || has_face || (at_web && courses[index].is_inside) {
@@ -131,14 +132,39 @@ impl Stack {
             courses,
             perimeter,
             is_ring,
-            spar: None,
+            spar: Vec::new(),
             size,
         }
     }
 
-    /// Ends the layers inside of a spar at its corners.
-    pub fn end_inside(&mut self, corners: [f64; 2]) {
-        self.spar = Some(corners);
+    /// Sets the number of cells through each layer.
+    pub fn divide(&mut self, cells: impl Iterator<Item = usize>) {
+        for (course, cells) in self.courses.iter_mut().zip(cells) {
+            course.cells = cells;
+        }
+    }
+
+    /// Ends the layers inside of a spar at the corners of its webs, the aft web first.
+    pub fn end_inside(&mut self, corners: Vec<[f64; 2]>) {
+        self.spar = corners;
+    }
+
+    /// Whether an arc length is beyond the webs of the spar.
+    pub fn is_beyond(&self, s: f64) -> bool {
+        let mut webs = self.spar.iter().enumerate();
+        webs.any(|(number, [suction, pressure])| match number {
+            0 => s < *suction || s > *pressure,
+            _ => s > *suction && s < *pressure,
+        })
+    }
+
+    /// Whether an arc length is on the other side of a fore web of the spar than a layer.
+    fn is_opposite(&self, course: &Course, s: f64) -> bool {
+        let fore = self.spar.get(1);
+        fore.is_some_and(|[suction, pressure]| {
+            let nose = 0.5 * (suction + pressure);
+            (s < nose) != (course.middle < nose)
+        })
     }
 
     /// Whether a layer is inside of a spar.
@@ -161,6 +187,11 @@ impl Stack {
         self.courses[layer].cells
     }
 
+    /// Number of the cells through the layers before one: its outer level.
+    pub fn level(&self, layer: usize) -> usize {
+        (0..layer).map(|layer| self.cells(layer)).sum()
+    }
+
     /// Given thickness of a layer.
     pub fn full(&self, layer: usize) -> f64 {
         self.courses[layer].thickness
@@ -179,8 +210,7 @@ impl Stack {
     /// Thickness of a layer at an arc length as given.
     fn given(&self, layer: usize, s: f64) -> f64 {
         let course = &self.courses[layer];
-        let is_behind = |[from, to]: [f64; 2]| s < from || s > to;
-        if course.is_inside && self.spar.is_some_and(is_behind) {
+        if course.is_inside && (self.is_beyond(s) || self.is_opposite(course, s)) {
             return 0.0;
         }
         let part = if self.is_ring && !course.is_inside {
@@ -268,6 +298,7 @@ impl Course {
             profile: profile(layer, perimeter),
             ramps: [None; 2],
             width: (layer.to - layer.from) * perimeter,
+            middle: 0.5 * (layer.from + layer.to) * perimeter,
         }
     }
 
@@ -290,6 +321,9 @@ impl Course {
 
     /// Part of the thickness at an arc length.
     fn part(&self, s: f64) -> f64 {
+        if self.width <= 0.0 {
+            return 0.0;
+        }
         let up = self.ramps[0].map_or(1.0, |[low, high]| (s - low) / (high - low));
         let down = self.ramps[1].map_or(1.0, |[low, high]| (high - s) / (high - low));
         up.min(down).clamp(0.0, 1.0) * self.profile_at(s)

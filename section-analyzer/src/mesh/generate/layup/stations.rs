@@ -6,6 +6,7 @@
 //! unless a fixed one is near. The rest is divided by the length of cells
 //! and the turn of the surface; between a web's boundaries nothing is divided.
 
+use super::super::spacing::Progress;
 use super::kinks::{NEAR, beside};
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
@@ -18,7 +19,7 @@ const SAMPLES: usize = 24;
 
 /// A station.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Station {
+pub(in super::super) struct Station {
     /// Arc length.
     pub s: f64,
     /// Number of its pair.
@@ -27,7 +28,7 @@ pub(super) struct Station {
 
 /// The stations of a wall.
 #[derive(Debug, Clone)]
-pub(super) struct Stations {
+pub(in super::super) struct Stations {
     /// In the order of the contour. On a ring the last one is the first one again, one
     /// length of the contour further.
     pub all: Vec<Station>,
@@ -264,19 +265,14 @@ fn divided(wall: &Wall, webs: &[Standing], marks: &[Station]) -> Vec<Station> {
 fn between(wall: &Wall, from: f64, to: f64) -> Vec<f64> {
     let perimeter = wall.outline.perimeter();
     let step = (to - from) / SAMPLES as f64;
-    let mut sums = vec![0.0];
-    for i in 0..SAMPLES {
+    let density = |i: usize| {
         let s = (from + step * (i as f64 + 0.5)).rem_euclid(perimeter);
-        let density = (1.0 / wall.size).max(wall.outline.bend(s).abs() / TURN);
-        sums.push(sums[i] + density * step);
-    }
-    let whole = sums[SAMPLES];
-    let cells = (whole - 1e-9).ceil().clamp(1.0, 1e5);
-    let at = |part: f64| {
-        let target = part * whole;
-        let after = sums.partition_point(|sum| *sum <= target).clamp(1, SAMPLES);
-        let (low, high) = (sums[after - 1], sums[after]);
-        from + step * ((after - 1) as f64 + (target - low) / (high - low))
+        (1.0 / wall.size).max(wall.outline.bend(s).abs() / TURN)
     };
-    (1..cells as usize).map(|i| at(i as f64 / cells)).collect()
+    let densities: Vec<f64> = (0..SAMPLES).map(density).collect();
+    let progress = Progress::new([from, to], &densities);
+    let whole = progress.whole();
+    let cells = (whole - 1e-9).ceil().clamp(1.0, 1e5);
+    let at = |i: usize| progress.place(whole * i as f64 / cells);
+    (1..cells as usize).map(at).collect()
 }

@@ -4,6 +4,8 @@ use shared_geom::mesh::Mesh;
 
 use super::problem::{LayupProblem, Upright};
 
+/// Names of the sides.
+pub(super) const SIDES: [&str; 2] = ["suction", "pressure"];
 /// Largest number of cells of a section.
 pub(super) const MOST_CELLS: usize = 200_000;
 
@@ -89,24 +91,62 @@ pub struct WebPly {
 /// Arcs that differ by less are equal.
 pub(super) const SAME_ARC: f64 = 1e-9;
 
-/// A spar around the nose: layers of the shell that turn into a web, mitred at its corners. The
-/// layers after its first one are inside of it, or behind its web.
+/// A spar: layers of the shell that turn into webs, mitred at their corners. The layers after its
+/// first one are inside of it, or beyond its webs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spar {
-    /// Name of the web.
-    pub web: String,
-    /// Arcs of the outer, aft face of the web on the suction and the pressure side [-].
+    /// Number of its first layer.
+    pub first: usize,
+    /// Its aft web; and its fore web, without which it goes around the nose.
+    pub webs: Vec<SparWeb>,
+}
+
+/// A web of a spar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SparWeb {
+    /// Its name.
+    pub name: String,
+    /// Arcs of its outer face on the suction and the pressure side [-].
     pub arcs: [f64; 2],
-    /// Numbers of the layers along the web, from the outside in.
+    /// Numbers of the layers along it, from the outside in.
     pub layers: Vec<usize>,
+    /// Numbers of the layers inside of the spar that continue each of them on the suction and the
+    /// pressure side, those that none continues end there; without it all continue in their order.
+    pub feet: Option<[Vec<Option<usize>>; 2]>,
 }
 
 impl Spar {
+    /// A spar around the nose with one web, along which these layers continue.
+    pub fn around_nose(name: String, arcs: [f64; 2], layers: Vec<usize>) -> Self {
+        let web = SparWeb {
+            name,
+            arcs,
+            layers,
+            feet: None,
+        };
+        Self {
+            first: web.layers.first().copied().unwrap_or(0),
+            webs: vec![web],
+        }
+    }
+
     /// Whether a layer is inside of it, at least in part.
     pub(super) fn has(&self, number: usize, layer: &Layer) -> bool {
-        let is_later = self.layers.first().is_some_and(|first| number >= *first);
-        let [suction, pressure] = self.arcs;
-        is_later && layer.to > suction + SAME_ARC && layer.from < pressure - SAME_ARC
+        let ranges: Vec<[f64; 2]> = self.webs.iter().map(|web| web.arcs).collect();
+        let is_ahead = ranges.first().is_none_or(|[suction, pressure]| {
+            layer.to > suction + SAME_ARC && layer.from < pressure - SAME_ARC
+        });
+        let is_aft = ranges.get(1).is_none_or(|[suction, pressure]| {
+            layer.from < suction - SAME_ARC || layer.to > pressure + SAME_ARC
+        });
+        number >= self.first && is_ahead && is_aft
+    }
+
+    /// Whether an end of a layer is at one of its webs.
+    pub(super) fn ends_at(&self, arc: f64) -> bool {
+        let arcs = self.webs.iter().flat_map(|web| web.arcs);
+        arcs.into_iter()
+            .any(|of_web| (of_web - arc).abs() < SAME_ARC)
     }
 }
 
@@ -216,26 +256,34 @@ pub(super) fn check(section: &LayupSection) -> Result<(), LayupProblem> {
     Ok(())
 }
 
-/// Checks that the layers of a spar exist, and that those inside of it end at its web.
+/// Checks that the layers of a spar exist, and that those inside of it end at its webs.
 fn check_spar(section: &LayupSection, spar: &Spar) -> Result<(), LayupProblem> {
-    let [suction, pressure] = spar.arcs;
-    let are_there = spar
-        .layers
-        .iter()
-        .all(|layer| *layer < section.layers.len());
-    let is_in_order = suction > 0.0 && pressure < 1.0 && suction < pressure;
-    if spar.layers.is_empty() || !are_there || !is_in_order {
-        return Err(LayupProblem::WebArcs {
-            web: Upright::Web(spar.web.clone()),
-            arcs: spar.arcs,
-        });
+    for web in &spar.webs {
+        let count = section.layers.len();
+        let are_there = web.layers.iter().all(|layer| *layer < count);
+        let [suction, pressure] = web.arcs;
+        let is_in_order = suction > 0.0 && pressure < 1.0 && suction < pressure;
+        if web.layers.is_empty() || !are_there || !is_in_order {
+            return Err(LayupProblem::WebArcs {
+                web: Upright::Web(web.name.clone()),
+                arcs: web.arcs,
+            });
+        }
     }
     for (number, layer) in section.layers.iter().enumerate() {
-        let goes_behind = layer.from < suction - SAME_ARC || layer.to > pressure + SAME_ARC;
-        if spar.has(number, layer) && goes_behind {
+        let is_beyond = |(number, web): &(usize, &SparWeb)| {
+            let [suction, pressure] = web.arcs;
+            match number {
+                0 => layer.from < suction - SAME_ARC || layer.to > pressure + SAME_ARC,
+                _ => layer.to > suction + SAME_ARC && layer.from < pressure - SAME_ARC,
+            }
+        };
+        let mut webs = spar.webs.iter().enumerate();
+        let passed = webs.find(|web| spar.has(number, layer) && is_beyond(web));
+        if let Some((_, web)) = passed {
             return Err(LayupProblem::BehindSpar {
                 layer: layer.name.clone(),
-                web: spar.web.clone(),
+                web: web.name.clone(),
             });
         }
     }
@@ -256,7 +304,8 @@ fn check_bounds(section: &LayupSection, fill: &Fill) -> Result<(), LayupProblem>
         match bound {
             Bound::Web(name) => {
                 let is_it = |web: &Web| web.name == *name && !web.plies.is_empty();
-                let is_spar = section.spar.iter().any(|spar| spar.web == *name);
+                let mut spars = section.spar.iter().flat_map(|spar| &spar.webs);
+                let is_spar = spars.any(|web| web.name == *name);
                 if !is_spar && !section.webs.iter().any(is_it) {
                     return Err(LayupProblem::FillBound {
                         fill: fill.name.clone(),

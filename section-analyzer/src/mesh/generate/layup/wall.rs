@@ -1,13 +1,14 @@
 //! The wall of a section: its layers, mitres and contacts.
 
 use super::super::super::distance;
+use super::super::bisect::bisect;
 use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
 use super::pairs::{FOREMOST, Pair, Pairs};
 use super::problem::{LayupProblem, Upright};
-use super::spar::{SIDES, SparWall};
+use super::spar::SparWall;
 use super::stack::Stack;
-use super::types::{LayupSection, Web};
+use super::types::{Layer, LayupSection, SIDES, Spar, Web};
 
 /// Reach of a contact, in sizes of cells and in thicknesses.
 const REACH: [f64; 2] = [2.5, 1.5];
@@ -23,11 +24,11 @@ const SEAM: f64 = 1e-4;
 
 /// A factor of the reach of contacts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reach(pub f64);
+pub(in super::super) struct Reach(pub f64);
 
 /// Shape of the wall at its rear end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Edge {
+pub(in super::super) enum Edge {
     /// No corner.
     Smooth,
     /// The base is a wall of the same layers.
@@ -36,6 +37,8 @@ pub(super) enum Edge {
     Face,
     /// Both sides end on a web.
     Butt,
+    /// Both sides end, apart from each other.
+    Open,
 }
 
 impl Edge {
@@ -45,9 +48,14 @@ impl Edge {
     }
 }
 
+/// Layers and spar of a section.
+fn of(section: &LayupSection) -> (&[Layer], Option<&Spar>) {
+    (&section.layers, section.spar.as_ref())
+}
+
 /// The wall of a section.
 #[derive(Debug, Clone)]
-pub(super) struct Wall {
+pub(in super::super) struct Wall {
     pub outline: Outline,
     pub stack: Stack,
     pub pairs: Pairs,
@@ -92,7 +100,7 @@ impl Wall {
     ) -> Result<Self, LayupProblem> {
         let mut wall = Self {
             edge: Edge::Butt,
-            ..Self::of_kind(section, outline, size, false)?
+            ..Self::of_kind(of(section), outline, size, false)?
         };
         if wall.ends.iter().any(|s| wall.stack.total(*s) <= 0.0) {
             return Err(LayupProblem::Open);
@@ -120,21 +128,21 @@ impl Wall {
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
-        let ring = Self::of_kind(section, outline, size, true)?;
+        let ring = Self::of_kind(of(section), outline, size, true)?;
         let mut wall = match outline.is_smooth() {
             true => Self {
                 edge: Edge::Smooth,
                 ..ring
             },
             false if ring.has_wall() => ring,
-            false => Self::of_kind(section, outline, size, false)?,
+            false => Self::of_kind(of(section), outline, size, false)?,
         };
         if wall.edge == Edge::Wall {
             wall.find_contacts(reach);
             let fade = wall.rear().map(Mitre::reach).fold(0.0, f64::max);
             let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - fade / wall.chord();
             if wall.zones.iter().any(meets) {
-                wall = Self::of_kind(section, outline, size, false)?;
+                wall = Self::of_kind(of(section), outline, size, false)?;
             }
         }
         if wall.edge == Edge::Face {
@@ -144,8 +152,27 @@ impl Wall {
         Ok(wall)
     }
 
+    /// The wall of layers and a spar whose sides do not meet: its trailing edge is mitred if
+    /// `is_ring`, without a base too, else both sides end.
+    pub fn apart(
+        layers: (&[Layer], Option<&Spar>),
+        outline: &Outline,
+        size: f64,
+        is_ring: bool,
+    ) -> Result<Self, LayupProblem> {
+        let edge = match (is_ring, outline.is_smooth()) {
+            (true, true) => Edge::Smooth,
+            (true, false) => Edge::Wall,
+            (false, _) => Edge::Open,
+        };
+        Ok(Self {
+            edge,
+            ..Self::of_kind(layers, outline, size, is_ring)?
+        })
+    }
+
     fn of_kind(
-        section: &LayupSection,
+        layers: (&[Layer], Option<&Spar>),
         outline: &Outline,
         size: f64,
         is_ring: bool,
@@ -157,13 +184,17 @@ impl Wall {
             0.8 * outline.base()
         };
         let kind = (is_ring, ends, seam);
-        let layers = (&section.layers[..], section.spar.as_ref());
         let mut stack = Stack::new(layers, outline.perimeter(), size, kind);
-        let spar = section.spar.as_ref();
-        let spar = spar.map(|spar| SparWall::new(spar, outline, &mut stack));
+        let spar = layers
+            .1
+            .map(|spar| SparWall::new(spar, outline, &mut stack));
+        let spar = spar.transpose()?;
+        let webs = spar.iter().flat_map(|spar| &spar.webs);
+        let stops: Vec<f64> = webs.flat_map(|web| web.corners).collect();
+        let has_rear = is_ring && !outline.is_smooth();
         Ok(Self {
-            spar: spar.transpose()?,
-            mitres: mitres(outline, &stack, is_ring && !outline.is_smooth()),
+            mitres: mitres(outline, &stack, has_rear, &stops),
+            spar,
             stack,
             pairs: Pairs::new(outline, ends),
             outline: outline.clone(),
@@ -180,7 +211,9 @@ impl Wall {
         let Some(spar) = &self.spar else {
             return Ok(());
         };
-        for (side, s) in spar.corners.into_iter().enumerate() {
+        let sides = spar.webs.iter().flat_map(|web| [(web, 0), (web, 1)]);
+        for (web, side) in sides {
+            let s = web.corners[side];
             let x = match self.edge {
                 Edge::Smooth => 0.0,
                 _ => self.pairs.x(side, s),
@@ -191,9 +224,9 @@ impl Wall {
                 let mut contact = zone.map(|x| self.pairs.at(side, x) / perimeter);
                 contact.sort_by(f64::total_cmp);
                 return Err(LayupProblem::WebInContact {
-                    web: Upright::Web(spar.web.clone()),
+                    web: Upright::Web(web.name.clone()),
                     side: SIDES[side],
-                    arc: spar.arcs[side],
+                    arc: web.arcs[side],
                     contact,
                 });
             }
@@ -249,16 +282,8 @@ impl Wall {
             let why = "is too thin for the first layer of both sides";
             return Err(LayupProblem::Contour { why: why.into() });
         };
-        let (mut thick, mut thin) = (at(i), at(i - 1));
-        for _ in 0..50 {
-            let middle = 0.5 * (thick + thin);
-            if excess(middle) >= 0.0 {
-                thick = middle;
-            } else {
-                thin = middle;
-            }
-        }
-        self.ends = [0, 1].map(|side| self.pairs.at(side, thick));
+        let cut = bisect([at(i), at(i - 1)], true, |x| excess(x) >= 0.0);
+        self.ends = [0, 1].map(|side| self.pairs.at(side, cut));
         self.pairs = Pairs::new(&self.outline, self.ends);
         Ok(())
     }

@@ -9,11 +9,11 @@
 //!
 //! are nodes of the web, so that web and wall share their nodes.
 
+use super::super::bisect::bisect;
 use super::kinks::beside;
 use super::line::Line;
 use super::problem::{LayupProblem, Upright};
-use super::spar::SIDES;
-use super::types::{Bound, LayupSection, Web};
+use super::types::{Bound, LayupSection, SIDES, Web};
 use super::wall::{Edge, Wall};
 
 /// Samples of the inner face of each side.
@@ -108,19 +108,21 @@ struct Search<'a> {
 /// The webs of a section, and the lines that bound its fills, on its wall.
 pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>, LayupProblem> {
     let uprights = uprights(section);
-    let spar = wall.spar.as_ref().map(|spar| Standing {
+    let of_spar = wall.spar.iter().flat_map(|spar| &spar.webs);
+    let of_spar = of_spar.map(|web| Standing {
         web: Web {
-            name: spar.web.clone(),
-            arcs: spar.arcs,
+            name: web.name.clone(),
+            arcs: web.arcs,
             plies: Vec::new(),
         },
         plies: Vec::new(),
-        stations: spar.corners.map(|s| vec![s]),
-        line: spar.line,
+        stations: web.corners.map(|s| vec![s]),
+        line: web.line,
         is_spar: true,
     });
+    let mut all: Vec<Standing> = of_spar.collect();
     if uprights.is_empty() {
-        return Ok(spar.into_iter().collect());
+        return Ok(all);
     }
     let nose = wall.outline.nose();
     let faces = [0, 1].map(|side| {
@@ -129,7 +131,6 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             .map(|i| (s(i), wall.column(s(i)).inner()))
             .collect()
     });
-    let mut all: Vec<Standing> = spar.into_iter().collect();
     for web in &uprights {
         let points = web
             .arcs
@@ -259,17 +260,9 @@ impl Search<'_> {
             .filter(|pair| (off(pair[0].1) > 0.0) != (off(pair[1].1) > 0.0));
         let nearest =
             crossings.min_by(|a, b| (a[0].0 - near).abs().total_cmp(&(b[0].0 - near).abs()))?;
-        let (mut a, mut b) = (nearest[0].0, nearest[1].0);
-        let at_a = off(nearest[0].1) > 0.0;
-        for _ in 0..45 {
-            let middle = 0.5 * (a + b);
-            if (off(self.wall.column(middle).inner()) > 0.0) == at_a {
-                a = middle;
-            } else {
-                b = middle;
-            }
-        }
-        Some(0.5 * (a + b))
+        let is_ahead = |s: f64| off(self.wall.column(s).inner()) > 0.0;
+        let ends = [nearest[0].0, nearest[1].0];
+        Some(bisect(ends, off(nearest[0].1) > 0.0, is_ahead))
     }
 
     /// Refuses feet where the layers of both sides meet.
