@@ -129,8 +129,9 @@ pub(super) struct EnergyWatch {
     gained: f64,
     /// Whether the energy can alternate from step to step.
     alternates: bool,
-    /// The balance at the step before a check, and the energies of the elements.
-    before: Option<(Look, Vec<Energy>)>,
+    /// The balance at the step before a check, if it is evaluated, and the energies of the elements.
+    before: Option<Look>,
+    now_before: Vec<Energy>,
     /// Energies of the error of the iteration: of positions [J], and of displacements in a
     /// step [J s^2].
     left: [f64; 2],
@@ -205,6 +206,7 @@ impl EnergyWatch {
             work,
             now: start.clone(),
             then: Vec::new(),
+            now_before: start.clone(),
             start,
             falls: [0.0; 3],
             gained: if alternates { GAINED_UNDAMPED } else { GAINED },
@@ -246,8 +248,8 @@ impl EnergyWatch {
         match self.steps % LOOKED_AT {
             0 => self.look(dae, conditions, time),
             BEFORE if self.alternates => {
-                let look = self.evaluate(dae, conditions, time);
-                self.before = Some((look, self.now.clone()));
+                self.before = Some(self.evaluate(dae, conditions, time));
+                self.now_before.clone_from(&self.now);
             }
             _ => {}
         }
@@ -289,8 +291,12 @@ impl EnergyWatch {
         let look = self.evaluate(dae, conditions, time);
         self.latest = look;
         let before = self.before.take();
-        let before = before.filter(|(before, _)| before.gain > look.gain);
-        let (look, energies) = before.unwrap_or_else(|| (look, self.now.clone()));
+        let before = before.filter(|before| before.gain > look.gain);
+        let energies = match before {
+            Some(_) => &self.now_before,
+            None => &self.now,
+        };
+        let look = before.unwrap_or(look);
         let [of_positions, ways] = self.left;
         let left = of_positions + ways / (self.length * self.length);
         let is_above = |part: f64| look.gain > part * look.scale + look.doubt + left;
@@ -303,7 +309,7 @@ impl EnergyWatch {
         let is_second = self.since.is_some();
         if !is_second || look.gain > self.largest.gain {
             self.largest = look;
-            self.then = energies;
+            self.then.clone_from(energies);
         }
         self.since.get_or_insert(look.time);
         self.is_found |= is_second || is_above(SURELY);
