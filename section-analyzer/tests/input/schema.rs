@@ -77,6 +77,7 @@ const SUBJECTS: [Subject; 4] = [
             "[shape] has 2",
             "[shape] has 3",
             "[[shape.airfoils]] number 1 has no \"thickness\"",
+            "eta has no effect: [shape] has \"thickness\"",
             "is the name of another",
             "expected one of \"arc\"",
             "no file \"blade.csv\"",

@@ -149,7 +149,7 @@ impl Shape {
         }
         let airfoils = if table.has(&AIRFOILS) {
             table.each(&AIRFOILS, |one| {
-                let key = place_of_airfoil(one, by_thickness)?;
+                let key = place_of_airfoil(one, by_thickness);
                 let at = one.require_item(key, "a number from 0 to 1");
                 let at = at.and_then(|_| one.get(key)?);
                 let points = points(document, one);
@@ -221,7 +221,7 @@ impl Shape {
 }
 
 /// The key of the place of an airfoil; the other one is noted.
-fn place_of_airfoil(table: &Table<'_>, by_thickness: bool) -> Option<&'static Key<Option<f64>>> {
+fn place_of_airfoil(table: &Table<'_>, by_thickness: bool) -> &'static Key<Option<f64>> {
     let (key, other, reason, remedy) = if by_thickness {
         (
             &AT_THICKNESS,
@@ -247,9 +247,8 @@ fn place_of_airfoil(table: &Table<'_>, by_thickness: bool) -> Option<&'static Ke
                 remedy,
             },
         );
-        return None;
     }
-    Some(key)
+    key
 }
 
 /// The points of one airfoil.
