@@ -77,7 +77,7 @@ const SUBJECTS: [Subject; 4] = [
             "[shape] has 2",
             "[shape] has 3",
             "[[shape.airfoils]] number 1 has no \"thickness\"",
-            "eta has no effect: [shape] has \"thickness\"",
+            "has no effect: [shape] has ",
             "is the name of another",
             "expected one of \"arc\"",
             "no file \"blade.csv\"",
