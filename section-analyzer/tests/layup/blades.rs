@@ -74,3 +74,28 @@ fn sections_of_public_blades() {
         }
     }
 }
+
+/// A first layer of which both sides need more than the height of the section at half of the chord.
+#[test]
+fn a_first_layer_thicker_than_the_section_is_named() {
+    let all = cases();
+    assert!(!all.is_empty());
+    for mut case in all {
+        let first = &mut case.section.layers[0];
+        (first.from, first.to, first.thickness) = (0.0, 1.0, 1e3);
+        let name = first.name.clone();
+        match case.section.generate() {
+            Err(LayupProblem::Tight {
+                layer,
+                thickness,
+                radius,
+                ..
+            }) => assert!(
+                layer == name && thickness >= 1e3 && radius < 10.0,
+                "{}: {layer} {thickness} {radius}",
+                case.name
+            ),
+            other => panic!("{}: {other:?}", case.name),
+        }
+    }
+}

@@ -255,6 +255,11 @@ impl Stack {
         &self.courses[layer].name
     }
 
+    /// The outermost layer that is present at an arc length.
+    pub fn outermost(&self, s: f64) -> Option<usize> {
+        (0..self.len()).find(|layer| self.thickness(*layer, s) > 0.0)
+    }
+
     /// Name of the innermost layer that is present at an arc length.
     pub fn innermost(&self, s: f64) -> &str {
         let mut layers = (0..self.len()).rev();

@@ -19,6 +19,10 @@ const SAMPLES: usize = 500;
 
 /// Least part of the base between the layers of both sides at a web.
 const LEAST_GAP: f64 = 0.05;
+/// Least height of an edge, of the length of the contour.
+const LEAST_HEIGHT: f64 = 5e-4;
+/// The foremost place at which an edge is cut off, of the chord.
+const FOREMOST_CUT: f64 = 0.5;
 /// Part of the contour within which two points of it are one.
 const SEAM: f64 = 1e-4;
 
@@ -260,16 +264,18 @@ impl Wall {
 
     /// Cuts off an edge that is too thin for the first layer of both sides.
     fn cut_thin_edge(&mut self) -> Result<(), LayupProblem> {
-        let first = |s: f64| {
-            let layers = 0..self.stack.len();
-            let mut thick = layers.map(|layer| self.stack.thickness(layer, s));
-            thick.find(|t| *t > 0.0).unwrap_or(0.0)
+        let needs = |pair: &Pair| {
+            [0, 1].map(|side| {
+                let first = self.stack.outermost(pair.s[side]);
+                let thickness =
+                    first.map_or(0.0, |layer| self.stack.thickness(layer, pair.s[side]));
+                thickness / pair.cosines[side]
+            })
         };
         let excess = |x: f64| {
             let pair = self.pairs.pair(x);
-            let need = [0, 1].map(|side| first(pair.s[side]) / pair.cosines[side]);
-            let least = (need[0] + need[1]).max(5e-4 * self.outline.perimeter());
-            pair.length - least
+            let least = needs(&pair).iter().sum::<f64>();
+            pair.length - least.max(LEAST_HEIGHT * self.outline.perimeter())
         };
         if self.ends.iter().any(|s| self.stack.total(*s) <= 0.0) {
             return Err(LayupProblem::Open);
@@ -277,15 +283,32 @@ impl Wall {
         if excess(1.0) >= 0.0 {
             return Ok(());
         }
-        let at = |i: usize| 1.0 - 0.5 * i as f64 / 400.0;
+        let at = |i: usize| 1.0 - (1.0 - FOREMOST_CUT) * i as f64 / 400.0;
         let Some(i) = (1..=400).find(|i| excess(at(*i)) >= 0.0) else {
-            let why = "is too thin for the first layer of both sides";
-            return Err(LayupProblem::Contour { why: why.into() });
+            return Err(self.thin_everywhere(needs(&self.pairs.pair(FOREMOST_CUT))));
         };
         let cut = bisect([at(i), at(i - 1)], true, |x| excess(x) >= 0.0);
         self.ends = [0, 1].map(|side| self.pairs.at(side, cut));
         self.pairs = Pairs::new(&self.outline, self.ends);
         Ok(())
+    }
+
+    /// The problem of a section that is too thin at the foremost cut, where the first layers need
+    /// these lengths.
+    fn thin_everywhere(&self, needs: [f64; 2]) -> LayupProblem {
+        let pair = self.pairs.pair(FOREMOST_CUT);
+        let side = usize::from(needs[1] > needs[0]);
+        match self.stack.outermost(pair.s[side]) {
+            Some(layer) if needs[0] + needs[1] > pair.length => LayupProblem::Tight {
+                layer: self.stack.name(layer).into(),
+                arc: pair.s[side] / self.outline.perimeter(),
+                thickness: needs[side],
+                radius: pair.length * needs[side] / (needs[0] + needs[1]),
+            },
+            _ => LayupProblem::Contour {
+                why: "is thinner than 5e-4 of its length in all of its rear half".into(),
+            },
+        }
     }
 
     /// Finds where the layers meet, and the zones around.
