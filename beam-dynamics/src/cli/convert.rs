@@ -23,6 +23,8 @@ enum ConvertProblem {
     NoEnding { file: String },
     #[error("\"{file}\": blade files in TOML are written by people, expected one in JSON")]
     Toml { file: String, remedy: String },
+    #[error("\"{file}\": --into writes a windIO file, expected the ending .yaml")]
+    NotYaml { file: String },
     #[error("\"{file}\" would be overwritten, but it is the input")]
     Input { file: String },
     #[error(transparent)]
@@ -41,6 +43,9 @@ impl Explain for ConvertProblem {
                 endings().join(", ")
             )),
             Self::Input { .. } => Some("give the output another name".to_owned()),
+            Self::NotYaml { .. } => Some(
+                "for another format leave --into out; or give the output this ending".to_owned(),
+            ),
             Self::Toml { remedy, .. } => Some(format!(
                 "convert to \"{remedy}\", which is read wherever one in TOML is"
             )),
@@ -147,9 +152,15 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
         None if arguments.is_all() => Format::Helicoid,
         None => format_of(to, arguments.format.as_deref())?,
     };
-    let is_toml = to
-        .extension()
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    let ends_in = |known: &str| {
+        let ending = to.extension();
+        ending.is_some_and(|ending| ending.eq_ignore_ascii_case(known))
+    };
+    if arguments.into.is_some() && !(ends_in("yaml") || ends_in("yml")) {
+        let file = to.display().to_string();
+        return Err(ConvertProblem::NotYaml { file }.into());
+    }
+    let is_toml = ends_in("toml");
     if format == Format::Helicoid && is_toml && !arguments.is_all() {
         let json = to.with_file_name(format!("{}.blade.json", name_of(to)));
         let (file, remedy) = (to.display().to_string(), json.display().to_string());

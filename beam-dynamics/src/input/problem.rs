@@ -34,6 +34,9 @@ pub enum InputProblem {
     /// No beam and no body at all.
     #[error("the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]")]
     EmptyModel,
+    /// Bodies that nothing holds, without a motion in time.
+    #[error("nothing holds the bodies, expected [transient], or [[beam]], [[joint]] or [[spring]]")]
+    FreeBodies,
     /// No mass, or mass only on clamped nodes.
     #[error("the model has no mass that can move, expected a mass per length or a body")]
     NoMass,

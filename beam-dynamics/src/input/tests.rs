@@ -461,6 +461,10 @@ fn the_model_as_a_whole_is_checked() {
             "the model is empty, expected [[blade]], or [[node]] with [[beam]] or [[body]]"
         )
     );
+    let free = "[[node]]\nname = \"n\"\nposition = [0, 0, 0]\n[[body]]\nnode = \"n\"\nmass = 1\n\
+                inertia = [1, 1, 1]\n";
+    let shown = refused(&format!("{MODES}{free}"));
+    assert!(shown.contains("nothing holds the bodies"), "{shown}");
     let massless = format!(
         "{BLADE}{MODES}[properties.light]\nea = 1\ngay = 1\ngaz = 1\ngj = 1\n\
         eiy = 1\neiz = 1\nm = 0\niy = 0\niz = 0\n"

@@ -311,6 +311,7 @@ fn a_blade_is_written_into_a_copy_of_a_windio_file() {
             "expected a windIO file with components.blade",
         ),
         ("b.yaml", "none.yaml", "none.yaml"),
+        ("b.json", "turbine.yaml", "expected the ending .yaml"),
     ] {
         let run = folder.run(&["convert", "a.csv", to, "--into", into]);
         assert_eq!(run.code, 2, "{}", run.out);

@@ -14,6 +14,7 @@
 use nalgebra::Matrix6;
 
 use super::{Blade, Interpolation, Station};
+use crate::units::rounded;
 
 /// Speed of sound below which the mass is suspect: blades have 3700 at least, and blades
 /// with carbon spars, of 7000, have 2240 from their weight in N/m [m/s].
@@ -128,19 +129,22 @@ impl Blade {
         let behind = is_linear && last.arc_length < (1.0 - BEYOND) * length;
         if is_linear && self.stations.len() > 1 && last.arc_length < CUT * length {
             return Some(format!(
-                "WARNING: the last of {} stations lies at {} m, the line is {length} m long: is \
+                "WARNING: the last of {} stations lies at {} m, the line is {} m long: is \
                  the table of stations cut short? The last {:.1} % of the blade have the \
                  properties of that station",
                 self.stations.len(),
-                last.arc_length,
+                rounded(last.arc_length),
+                rounded(length),
                 100.0 * (1.0 - last.arc_length / length)
             ));
         }
         (before || behind).then(|| {
             format!(
-                "stations from {} m to {} m on a line of {length} m: beyond them the properties \
-                 of the nearest station are used",
-                first.arc_length, last.arc_length
+                "stations from {} m to {} m on a line of {} m: beyond them the properties of the \
+                 nearest station are used",
+                rounded(first.arc_length),
+                rounded(last.arc_length),
+                rounded(length)
             )
         })
     }

@@ -8,11 +8,18 @@ use crate::files::{MissingFolder, names_beside, nearest_file};
 /// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
 
+fn begins(begin: &str) -> String {
+    match begin {
+        "" => "is empty".to_owned(),
+        _ => format!("begins with \"{begin}\""),
+    }
+}
+
 /// A problem of a blade file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ExchangeProblem {
     /// A text of no known format.
-    #[error("the format of the file is not known: it begins with \"{begin}\", tried {}", tried.join(", "))]
+    #[error("the format of the file is not known: it {}, tried {}", begins(begin), tried.join(", "))]
     Unknown {
         /// Its first line that is not blank.
         begin: String,

@@ -252,6 +252,11 @@ fn a_file_of_no_known_format_is_reported_what_was_tried() {
         "it begins with \"dear colleague\", tried Helicoid blade file",
     );
     assert_says(&messages, "BeamDyn (OpenFAST) blade");
+    std::fs::write(&path, "\n").unwrap();
+    let messages = read_with(&path, &Options::default())
+        .unwrap_err()
+        .to_string();
+    assert_says(&messages, "it is empty, tried Helicoid blade file");
     assert!(read_with(Path::new("/no/such/file"), &Options::default()).is_err());
 }
 

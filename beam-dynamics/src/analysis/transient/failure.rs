@@ -232,8 +232,9 @@ impl TransientFailure {
             Self::Wound { .. } => {
                 "limit the rotation of the part by a stiffer spring or a stop, or drive a \
                  relaxed angle no faster than the part follows; the angle of a spring is known \
-                 within half a turn in both directions: for a hinge from its relaxed angle, for \
-                 a [[spring]] from its undeformed state"
+                 within half a turn in both directions: for a hinge from its relaxed angle, or \
+                 from half of it if it is constant and above 150 degrees; for a [[spring]] from its \
+                 undeformed state"
             }
             Self::Velocities { .. } => {
                 "look for redundant joints and for a position at which the mechanism is \
