@@ -360,12 +360,8 @@ impl ModelBuilder {
         if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
             // [blade] instead of [[blade]] has been reported already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
-                let has_bodies = !self.bodies.is_empty() && !flies;
-                let problem = match has_bodies && self.beams.is_empty() {
-                    true => InputProblem::FreeBodies,
-                    false => InputProblem::EmptyModel,
-                };
-                root.note("", &problem);
+                let has_bodies = !self.bodies.is_empty();
+                root.note("", &InputProblem::without_beams(has_bodies && !flies));
             }
             return;
         }
