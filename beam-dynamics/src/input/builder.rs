@@ -360,8 +360,11 @@ impl ModelBuilder {
         if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
             // [blade] instead of [[blade]] has been reported already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
-                let has_bodies = !self.bodies.is_empty();
-                root.note("", &InputProblem::without_beams(has_bodies && !flies));
+                let free = usize::from(!flies && !self.bodies.is_empty());
+                root.note(
+                    "",
+                    &[InputProblem::EmptyModel, InputProblem::FreeBodies][free],
+                );
             }
             return;
         }

@@ -390,17 +390,6 @@ pub enum InputProblem {
 /// Names that people give the frame of the model.
 const FRAME: [&str; 5] = ["ground", "world", "frame", "fixed", "inertial"];
 
-impl InputProblem {
-    /// The problem of a model without beams and joints.
-    pub fn without_beams(has_bodies: bool) -> Self {
-        if has_bodies {
-            Self::FreeBodies
-        } else {
-            Self::EmptyModel
-        }
-    }
-}
-
 impl Explain for InputProblem {
     fn help(&self) -> Option<String> {
         let fixed = match self {
