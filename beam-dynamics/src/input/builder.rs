@@ -355,16 +355,14 @@ impl ModelBuilder {
             "blade", "rotor", "beam", "hinge", "rigid", "joint", "spring", "rod",
         ];
         let flies = root.has("transient") && (root.has("body") || root.has("joint"));
-        let bodies = !flies || self.bodies.is_empty();
-        let nothing = self.beams.is_empty() && self.joints.is_empty() && bodies && !self.broken;
+        let empty = self.beams.is_empty() && self.joints.is_empty() && !self.broken;
+        let nothing = empty && (!flies || self.bodies.is_empty());
         if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
             // [blade] instead of [[blade]] has been reported already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
-                let free = usize::from(!flies && !self.bodies.is_empty());
-                root.note(
-                    "",
-                    &[InputProblem::EmptyModel, InputProblem::FreeBodies][free],
-                );
+                let has = !flies && !self.bodies.is_empty();
+                let of = [InputProblem::EmptyModel, InputProblem::FreeBodies];
+                root.note("", &of[usize::from(has)]);
             }
             return;
         }
@@ -372,8 +370,8 @@ impl ModelBuilder {
         for node in unused.filter(|_| !self.loose_ends) {
             let node = self.nodes[node].label.clone();
             let line = self.names.get(&node).map_or(1, |named| named.line);
-            root.document()
-                .note(line, &InputProblem::UnusedNode { node });
+            let unused = InputProblem::UnusedNode { node };
+            root.document().note(line, &unused);
         }
         // Statics needs no mass.
         let massless = ["static", "buckling"].iter().any(|card| root.has(card));
@@ -405,11 +403,8 @@ impl ModelBuilder {
 
     /// Mass of all beams and bodies \[kg\].
     pub fn mass(&self) -> f64 {
-        let of_beams = self
-            .beams
-            .iter()
-            .flat_map(|beam| self.lumped(beam).bodies)
-            .map(|body| body.mass);
+        let of_beams = self.beams.iter().flat_map(|beam| self.lumped(beam).bodies);
+        let of_beams = of_beams.map(|body| body.mass);
         let of_bodies = self.bodies.iter().map(|body| body.2.mass);
         of_beams.chain(of_bodies).sum()
     }
