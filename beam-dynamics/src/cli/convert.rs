@@ -152,15 +152,13 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
         None if arguments.is_all() => Format::Helicoid,
         None => format_of(to, arguments.format.as_deref())?,
     };
-    let ends_in = |known: &str| {
-        let ending = to.extension();
-        ending.is_some_and(|ending| ending.eq_ignore_ascii_case(known))
-    };
-    if arguments.into.is_some() && !(ends_in("yaml") || ends_in("yml")) {
+    if arguments.into.is_some() && Format::of_path(to) != Some(format) {
         let file = to.display().to_string();
         return Err(ConvertProblem::NotYaml { file }.into());
     }
-    let is_toml = ends_in("toml");
+    let is_toml = to
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     if format == Format::Helicoid && is_toml && !arguments.is_all() {
         let json = to.with_file_name(format!("{}.blade.json", name_of(to)));
         let (file, remedy) = (to.display().to_string(), json.display().to_string());

@@ -360,9 +360,11 @@ impl ModelBuilder {
         if nothing || !(flies || CARDS.iter().any(|card| root.has(card))) {
             // [blade] instead of [[blade]] has been reported already.
             if !CARDS.iter().any(|card| root.is_table(card)) {
-                let has = !flies && !self.bodies.is_empty();
-                let of = [InputProblem::EmptyModel, InputProblem::FreeBodies];
-                root.note("", &of[usize::from(has)]);
+                let problem = match flies || self.bodies.is_empty() {
+                    true => InputProblem::EmptyModel,
+                    false => InputProblem::FreeBodies,
+                };
+                root.note("", &problem);
             }
             return;
         }

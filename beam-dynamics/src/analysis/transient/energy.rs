@@ -125,8 +125,6 @@ pub(super) struct EnergyWatch {
     then: Vec<Energy>,
     /// Largest decrease of potentials: elastic, of gravity, electric [J].
     falls: [f64; 3],
-    /// Part of the total input above which a gain is reported.
-    gained: f64,
     /// Whether the energy can alternate from step to step.
     alternates: bool,
     /// The balance at the step before a check, if it is evaluated, and the energies of the elements.
@@ -195,7 +193,6 @@ impl EnergyWatch {
         });
         let exchangers = exchangers.collect();
         let changes = model.gravity_drive.constant().is_none();
-        let alternates = !damps(settings.scheme);
         let count = system.element_count();
         let start: Vec<_> = (0..count)
             .map(|element| system.energy_of(element, at, &mut work))
@@ -209,8 +206,7 @@ impl EnergyWatch {
             now_before: start.clone(),
             start,
             falls: [0.0; 3],
-            gained: if alternates { GAINED_UNDAMPED } else { GAINED },
-            alternates,
+            alternates: !damps(settings.scheme),
             before: None,
             left: left_over(system, at, settings.newton.correction.max(LEFT)),
             steps: 0,
@@ -300,7 +296,11 @@ impl EnergyWatch {
         let [of_positions, ways] = self.left;
         let left = of_positions + ways / (self.length * self.length);
         let is_above = |part: f64| look.gain > part * look.scale + look.doubt + left;
-        if !is_above(self.gained) {
+        let gained = match self.alternates {
+            true => GAINED_UNDAMPED,
+            false => GAINED,
+        };
+        if !is_above(gained) {
             if !self.is_found {
                 self.since = None;
             }
