@@ -102,6 +102,7 @@ def main():
     failures = selftest(browser, page)
     with tempfile.TemporaryDirectory() as short:
         folder = Path(sys.argv[3] if len(sys.argv) == 4 else short)
+        folder.mkdir(parents=True, exist_ok=True)
         for size in WINDOWS:
             failures += picture(browser, page, size, folder)
     for failure in failures:

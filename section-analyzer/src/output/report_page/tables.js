@@ -151,6 +151,8 @@ function listenToMatrix(made) {
     cells[from].setAttribute("tabindex", "-1");
     to.setAttribute("tabindex", "0");
     to.focus();
+    // A window without the focus has no focus events.
+    explain(to);
   });
 }
 // The couplings of a matrix above 1 %, as text.
