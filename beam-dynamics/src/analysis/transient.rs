@@ -50,6 +50,7 @@ use energy::{EnergyWatch, Finding};
 pub(in crate::analysis) use multibody::Multibody;
 pub(in crate::analysis) use rates::consistent_rates;
 pub(in crate::analysis) use redundant::independent;
+pub(in crate::analysis) use scalars::begin_at_rest;
 use singular::Passed;
 pub(in crate::analysis) use start::{Started, start};
 use turning::Turns;

@@ -39,6 +39,19 @@ pub(super) fn begin(system: &System, state: &mut State) {
     state.scalar_rates.fill(0.0);
 }
 
+/// Sets the scalars of a state at rest to their values at the start of a run, and those without such a value
+/// to be consistent with them; whether there are such values.
+pub(in crate::analysis) fn begin_at_rest(
+    system: &System,
+    state: &mut State,
+    conditions: &Conditions,
+) -> bool {
+    begin(system, state);
+    let is_settled = settle(system, state, conditions, Settling::AtRest).is_ok();
+    state.scalar_rates.fill(0.0);
+    is_settled
+}
+
 /// The largest difference of scalars that should agree, relative or absolute.
 pub(super) fn apart(found: &[f64], expected: &[f64]) -> f64 {
     let pairs = found.iter().zip(expected);

@@ -6,9 +6,10 @@ use nalgebra::DMatrix;
 use crate::analysis::balance::Balance;
 use crate::analysis::effects;
 use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
+use crate::analysis::transient::begin_at_rest;
 use crate::case::{Model, TrimSettings};
 use crate::model::{Conditions, State};
-use crate::solver::LinearSolver;
+use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
 
 /// Reason why an equilibrium is not trimmed.
 #[derive(Debug, thiserror::Error)]
@@ -111,6 +112,9 @@ fn from_guesses(
 ) -> Result<Equilibrium, NotBalanced> {
     let mut guesses = *full;
     guesses.loading.released = 1.0;
+    if let Some(found) = at_once(model, solver, (&guesses, full)) {
+        return Ok(found);
+    }
     let rest = model.system.rest();
     let first = equilibrium(model, solver, (&Conditions::at_rest(), &rest), &guesses);
     let first = first.map_err(NotBalanced::Guess)?;
@@ -135,6 +139,31 @@ fn from_guesses(
             Err(idle.unwrap_or(NotBalanced::Targets(failure)))
         }
     }
+}
+
+/// The trim of a model in a frame at rest, from the undeformed model with first guesses of the controls and
+/// states as at the start of a run. `None` if Newton's method does not converge from there: the loads are
+/// then raised first.
+fn at_once(
+    model: &Model,
+    solver: &LinearSolver,
+    (guesses, full): (&Conditions, &Conditions),
+) -> Option<Equilibrium> {
+    if full.frame.angular_velocity.norm() > 0.0 {
+        return None;
+    }
+    let mut start = model.system.rest();
+    if !begin_at_rest(&model.system, &mut start, guesses) {
+        return None;
+    }
+    let mut balance = Balance::new(&model.system, solver, *full, start);
+    let report = solve(&mut balance, &Newton::default());
+    (report.status == NewtonStatus::Converged).then(|| Equilibrium {
+        state: balance.state,
+        conditions: *full,
+        iterations: report.history.len(),
+        residual: report.worst.relative,
+    })
 }
 
 /// The change of the targets (rows, of size one) by each control of size one about the equilibrium of
