@@ -95,7 +95,7 @@ pub use span::{
     SolvedSpan, SolvedStation, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv,
     span_plots, span_text,
 };
-pub use strength::{ReserveRow, strength_csv, strength_text};
+pub use strength::{NotAssessed, ReserveRow, not_assessed_text, strength_csv, strength_text};
 pub use stress_plots::{failure_indices_of_cells, stress_plots};
 pub use stress_report::stress_report;
 pub use stress_tables::{stress_cells_csv, stress_nodes_csv, stress_points_csv};

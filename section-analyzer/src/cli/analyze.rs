@@ -7,6 +7,7 @@ use super::{DONE, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::input;
 use crate::output::Figures;
 
+mod alike;
 mod electrodes;
 mod lines;
 mod many;

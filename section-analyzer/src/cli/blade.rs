@@ -133,6 +133,15 @@ fn solve_sections(
         other: other.map(|reading| reading.blade),
     };
     let written = results::write(&results, &files, arguments, terminal);
+    for (text, sections) in report::cut_of_layers(span.layers()) {
+        let text = format!("{text}: {}", sections.join(", "));
+        terminal.warn(file, &[text])?;
+    }
+    if let ([_], true) = (&span.stations[..], is_written) {
+        let text = "the blade file has one station, and thus equal properties along the whole blade; \
+                    --stations and --count give more";
+        terminal.warn(file, &[text.to_owned()])?;
+    }
     if !missing.is_empty() {
         let missing = Missing {
             missing,

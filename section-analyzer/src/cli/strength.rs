@@ -16,9 +16,10 @@ use crate::input;
 use crate::input::span_loads::{
     ListedStation, LoadInstant, LoadPositions, SpanLoads, read_loads, read_stations,
 };
+use crate::material::MaterialLimits;
 use crate::output::{
-    DamageRow, FatigueRow, ReserveRow, damage_csv, damage_text, fatigue_csv, strength_csv,
-    strength_text,
+    DamageRow, FatigueRow, NotAssessed, ReserveRow, damage_csv, damage_text, fatigue_csv,
+    not_assessed_text, strength_csv, strength_text,
 };
 use crate::recovery::fatigue::{RegionDamage, region_damages};
 use crate::recovery::{Recoverer, RegionReserve, region_reserves};
@@ -48,8 +49,8 @@ fn table_of(path: &Path) -> PathBuf {
 enum NoStrength {
     #[error("no material of the sections has limits, expected [material.NAME.strength]")]
     Limits,
-    #[error("no station is at the position of a load")]
-    Positions,
+    #[error("no station is at the position of a load, the stations are at eta {}", .stations.join(", "))]
+    Positions { stations: Vec<String> },
     #[error("the table has no station beyond the root")]
     Length,
     #[error("sections have changed since the table was written: {}", quoted(.sections))]
@@ -60,7 +61,7 @@ impl Explain for NoStrength {
     fn help(&self) -> Option<String> {
         let text = match self {
             Self::Limits => "add strengths to the layup, and run \"section-analyzer blade\" again",
-            Self::Positions => {
+            Self::Positions { .. } => {
                 "a load with one position is valid near it alone: give each instant positions at \
                  the root and at the tip"
             }
@@ -77,6 +78,8 @@ impl Explain for NoStrength {
 struct Rows {
     reserves: Vec<ReserveRow>,
     damages: Vec<DamageRow>,
+    /// Plies without limits, and plies without slopes of S-N lines.
+    not_assessed: [NotAssessed; 2],
 }
 
 /// A problem of the table of stations.
@@ -146,16 +149,23 @@ pub(super) fn envelope(
     let ended = solve_all(&jobs, arguments.threads, &work, terminal)?;
     let rows: Vec<Rows> = found.into_iter().filter_map(OnceLock::into_inner).collect();
     let is_solved = !rows.is_empty();
-    let (reserves, damages): (Vec<_>, Vec<_>) = rows
-        .into_iter()
-        .map(|rows| (rows.reserves, rows.damages))
-        .unzip();
-    let (reserves, damages) = (reserves.concat(), damages.concat());
+    let (mut reserves, mut damages) = (Vec::new(), Vec::new());
+    let mut not_assessed = [NotAssessed::new(), NotAssessed::new()];
+    for station in rows {
+        reserves.extend(station.reserves);
+        damages.extend(station.damages);
+        for (all, own) in not_assessed.iter_mut().zip(station.not_assessed) {
+            for (material, plies) in own {
+                all.entry(material).or_default().extend(plies);
+            }
+        }
+    }
     let equivalent = histories.equivalent_ranges(&stations, &arguments.exponents, arguments.cycles);
     let tables = Tables {
         reserves: &reserves,
         equivalent: &equivalent,
         damages: &damages,
+        not_assessed: &not_assessed,
         duration: histories.duration(),
     };
     tables.write(&target, terminal)?;
@@ -172,7 +182,8 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     if stations.iter().any(is_loaded) {
         NoStrength::Limits
     } else {
-        NoStrength::Positions
+        let stations = stations.iter().map(ListedStation::label).collect();
+        NoStrength::Positions { stations }
     }
 }
 
@@ -256,7 +267,30 @@ fn rows(
         nodes: Some(section.mesh.nodes.len()),
         ..Outcome::new(status)
     };
-    Ok((outcome, Rows { reserves, damages }))
+    let plies = |is_left: fn(&MaterialLimits) -> bool| not_assessed(&input, is_left);
+    let rows = Rows {
+        reserves,
+        damages,
+        not_assessed: [
+            plies(|limits| limits.strength.is_none() && limits.strain.is_none()),
+            plies(|limits| limits.fatigue.stress.is_none() && limits.fatigue.strain.is_none()),
+        ],
+    };
+    Ok((outcome, rows))
+}
+
+/// The plies of a section whose material is left out.
+fn not_assessed(input: &input::Input, is_left: fn(&MaterialLimits) -> bool) -> NotAssessed {
+    let section = &input.section;
+    let mut found = NotAssessed::new();
+    for (cell, shape) in section.cells.iter().zip(&section.mesh.cells) {
+        if is_left(&input.limits[cell.material]) {
+            let material = section.materials[cell.material].name.clone();
+            let plies = found.entry(material).or_default();
+            plies.insert(section.mesh.groups[shape.group].clone());
+        }
+    }
+    found
 }
 
 /// The folder of the tables, and the beginning of their names.
@@ -293,21 +327,27 @@ struct Tables<'a> {
     reserves: &'a [ReserveRow],
     equivalent: &'a [FatigueRow],
     damages: &'a [DamageRow],
+    /// Plies without limits, and plies without slopes of S-N lines.
+    not_assessed: &'a [NotAssessed; 2],
     /// Time of all histories \[s\].
     duration: f64,
 }
 
 impl Tables<'_> {
+    /// Whether there is nothing to write; tables of an earlier run then remain.
+    fn is_empty(&self) -> bool {
+        self.reserves.is_empty() && self.equivalent.is_empty() && self.damages.is_empty()
+    }
+
     fn write(&self, target: &Target, terminal: &mut Terminal<'_>) -> Result<(), Stop> {
         if !self.reserves.is_empty() {
-            write!(terminal.out, "\n{}", strength_text(self.reserves))?;
+            let text = not_assessed_text(&self.not_assessed[0], "[material.NAME.strength]");
+            write!(terminal.out, "\n{}{text}", strength_text(self.reserves))?;
         }
         if !self.damages.is_empty() {
-            write!(
-                terminal.out,
-                "\n{}",
-                damage_text(self.damages, self.duration)
-            )?;
+            let text = not_assessed_text(&self.not_assessed[1], "\"m\" beside the strengths");
+            let damages = damage_text(self.damages, self.duration);
+            write!(terminal.out, "\n{damages}{text}")?;
         }
         let earlier = Earlier::new(&target.folder, &target.name);
         let mut written = Vec::new();
@@ -333,7 +373,7 @@ impl Tables<'_> {
                 write_whole(&file, &text)
                     .map_err(|problem| terminal.report(&problem, NOT_REACHED))?;
                 written.push(file);
-            } else {
+            } else if !self.is_empty() {
                 // a missing file is ignored
                 drop(std::fs::remove_file(&file));
             }

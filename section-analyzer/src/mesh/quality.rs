@@ -25,9 +25,9 @@ const POOR_JACOBIAN: f64 = 0.1;
 /// Ratio from which a cell is good.
 const GOOD_JACOBIAN: f64 = 0.5;
 /// Aspect ratio beyond which a cell is poor: the stiffness of a cell along and across
-/// differ by its square, so that the solution loses four of its 16 digits. Plies of
-/// ordinary meshes have 10 to 50.
-const POOR_ASPECT: f64 = 100.0;
+/// differ by its square, so that the solution loses six of its 16 digits. Plies of
+/// ordinary meshes have 10 to 50, and coatings of blades some hundred.
+const POOR_ASPECT: f64 = 1000.0;
 /// Up to this ratio a cell is good.
 const GOOD_ASPECT: f64 = 10.0;
 /// Corner angle below which a cell is poor \[rad\]: without a large angle it is a

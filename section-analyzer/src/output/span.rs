@@ -53,6 +53,12 @@ pub struct SolvedSpan<'a> {
 }
 
 impl SolvedSpan<'_> {
+    /// The name of each section, with its layers.
+    pub fn layers(&self) -> impl Iterator<Item = (&str, &[LayerRow])> {
+        let stations = self.stations.iter();
+        stations.map(|one| (one.properties.name.as_str(), one.layers.as_slice()))
+    }
+
     /// The blade of these sections, linear between them: stiffness and mass of each section to
     /// the last digit.
     pub fn blade(&self) -> Blade {

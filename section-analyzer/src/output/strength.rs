@@ -1,8 +1,10 @@
 //! Reserve factors of a blade.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use nalgebra::Vector6;
+use shared_geom::error::joined;
 
 use super::text::{csv, table};
 use crate::input::result_tables::RESERVES;
@@ -24,6 +26,22 @@ pub struct ReserveRow {
     pub instant: String,
     /// Internal force at this instant about the reference line, in section axes \[N, N m\].
     pub force: Vector6<f64>,
+}
+
+/// The plies of each material that are not assessed.
+pub type NotAssessed = BTreeMap<String, BTreeSet<String>>;
+
+/// Plies that are not assessed, and the key that their materials lack, as text; empty if there are none.
+pub fn not_assessed_text(found: &NotAssessed, key: &str) -> String {
+    let material = |(name, plies): (&String, &BTreeSet<String>)| {
+        let plies: Vec<&String> = plies.iter().collect();
+        format!("\"{name}\" ({})", joined(&plies))
+    };
+    let materials: Vec<String> = found.iter().map(material).collect();
+    if materials.is_empty() {
+        return String::new();
+    }
+    format!("\nNot assessed, without {key}: {}\n", materials.join(", "))
 }
 
 /// One row per station and ply, as CSV.

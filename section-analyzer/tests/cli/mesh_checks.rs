@@ -136,32 +136,32 @@ fn a_slit_between_regions_is_allowed_in_the_section_file() {
 
 #[test]
 fn poor_cells_are_a_warning_with_positions() {
-    // "web" is 300 long: a strip next to a square
-    let long = [("3 2 0 0", "3 301 0 0"), ("6 2 1 0", "6 301 1 0")];
+    // "web" is 3000 long: a strip next to a square
+    let long = [("3 2 0 0", "3 3001 0 0"), ("6 2 1 0", "6 3001 1 0")];
     let workplace = Workplace::with(&[], &long);
     let run = workplace.run(&["check", "a.section.toml"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let warning = "Remarks\n  remark: 1 cell has a poor shape: results nearby are less \
-                   accurate\n      cell 12 at (151, 0.5) in \"web\": aspect ratio 300.0, poor \
-                   above 100\n\n";
+                   accurate\n      cell 12 at (1501, 0.5) in \"web\": aspect ratio 3000.0, poor \
+                   above 1000\n\n";
     assert!(run.out.contains(warning), "{}", run.out);
     let table = "\
 Cell quality by region, the worst value (and the mean)
-  region       Jacobian         aspect  corners from   corners to  poor cells
-  skin    1.000 (1.000)      1.0 (1.0)   90.0 (90.0)  90.0 (90.0)      0 of 1
-  web     1.000 (1.000)  300.0 (300.0)   90.0 (90.0)  90.0 (90.0)      1 of 1
+  region       Jacobian           aspect  corners from   corners to  poor cells
+  skin    1.000 (1.000)        1.0 (1.0)   90.0 (90.0)  90.0 (90.0)      0 of 1
+  web     1.000 (1.000)  3000.0 (3000.0)   90.0 (90.0)  90.0 (90.0)      1 of 1
 ";
     assert!(run.out.contains(table), "{}", run.out);
     // the square next to the strip is good, and not one of the worst
     let worst = "Worst cells, at their centers in the unit of the mesh\n  \
                  cell  region  y [mm]  z [mm]\n  \
-                 12    web        151     0.5  aspect ratio 300.0, poor above 100\n\n";
+                 12    web       1501     0.5  aspect ratio 3000.0, poor above 1000\n\n";
     assert!(run.out.contains(worst), "{}", run.out);
     let run = Workplace::with(&[], &[]).run(&["check", "a.section.toml"]);
     let good = "\n\nAll cells are good by every measure\n";
     assert!(run.out.contains(good), "{}", run.out);
     let run = workplace.run(&["analyze", "a.section.toml"]);
-    let words = "Cell quality\n  aspect ratios up to 300.0, corners of 90.0 to 90.0 deg,\n  least \
+    let words = "Cell quality\n  aspect ratios up to 3000.0, corners of 90.0 to 90.0 deg,\n  least \
                  over largest Jacobian 1.00 or more: 1 cell is poor\n";
     assert!(run.out.contains(words), "{}", run.out);
 }

@@ -590,3 +590,27 @@ fn strengths_are_needed() {
     assert!(workplace.path("b/a.fatigue.csv").exists());
     assert!(!workplace.path("b/a.strength.csv").exists());
 }
+
+/// Plies without a row are named with the key that their material lacks.
+#[test]
+fn plies_that_are_not_assessed_are_named() {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", &format!("{LAYUP}\n{STRENGTHS}"));
+    let blade = ["blade", "a.layup.toml", "--out", "b", "--no-figures"];
+    let run = workplace.run(&[&blade[..], &["--stations", "0.7"]].concat());
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(
+        run.out.contains("  remark: the blade file has one station"),
+        "{}",
+        run.out
+    );
+    let loads = "time,eta,bending y\n0,0.6,1\n0,0.8,1\n1,0.6,2\n1,0.8,2\n";
+    let run = strength(&workplace, loads, &[]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    for key in ["[material.NAME.strength]", "\"m\" beside the strengths"] {
+        let expected = format!("\nNot assessed, without {key}: \"lead\" (");
+        let text = run.out.split(&expected).nth(1);
+        let plies = text.and_then(|text| text.split(')').next());
+        assert_eq!(plies, Some("tip"), "{}", run.out);
+    }
+}

@@ -7,7 +7,7 @@ use section_analyzer::mesh::generate::layup::{Layer, LayupSection, Web, WebPly};
 
 use crate::sections::{Case, number, reference, solved};
 
-fn layer(name: &str, thickness: f64) -> Layer {
+pub fn layer(name: &str, thickness: f64) -> Layer {
     Layer {
         name: name.into(),
         thickness,
@@ -18,7 +18,7 @@ fn layer(name: &str, thickness: f64) -> Layer {
     }
 }
 
-fn ellipse(a: f64, b: f64, count: usize) -> Vec<[f64; 2]> {
+pub fn ellipse(a: f64, b: f64, count: usize) -> Vec<[f64; 2]> {
     let at = |i: usize| {
         let angle = TAU * i as f64 / count as f64;
         [-a * angle.cos(), b * angle.sin()]
@@ -26,7 +26,7 @@ fn ellipse(a: f64, b: f64, count: usize) -> Vec<[f64; 2]> {
     (0..=count).map(at).collect()
 }
 
-fn section(contour: Vec<[f64; 2]>, layers: Vec<Layer>) -> LayupSection {
+pub fn section(contour: Vec<[f64; 2]>, layers: Vec<Layer>) -> LayupSection {
     LayupSection {
         contour,
         layers,
@@ -47,7 +47,7 @@ fn material(name: &str, law: ElasticLaw) -> Material {
     }
 }
 
-fn isotropic(name: &str) -> Material {
+pub fn isotropic(name: &str) -> Material {
     material(
         name,
         ElasticLaw::Isotropic {

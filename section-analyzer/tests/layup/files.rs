@@ -25,10 +25,15 @@ pub fn section(layup: &layup::Layup, eta: f64) -> input::Input {
     let meshed = layup
         .mesh(eta)
         .unwrap_or_else(|problems| panic!("{problems}"));
+    section_of(layup, &meshed)
+}
+
+/// The section file of a mesh, read again.
+pub fn section_of(layup: &layup::Layup, meshed: &layup::LayupMesh) -> input::Input {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.section.toml");
     std::fs::write(folder.path().join("a.msh"), gmsh::write(&meshed.mesh)).expect("a mesh");
-    std::fs::write(&file, layup_section(layup, &meshed, "a.msh")).expect("a section");
+    std::fs::write(&file, layup_section(layup, meshed, "a.msh")).expect("a section");
     input::read(&file).unwrap_or_else(|problems| panic!("{problems}"))
 }
 

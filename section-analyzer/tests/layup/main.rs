@@ -10,6 +10,7 @@ mod edge_webs;
 mod equal;
 mod files;
 mod fills;
+mod invariances;
 mod keys;
 mod narrow;
 mod prevabs;

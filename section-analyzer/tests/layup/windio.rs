@@ -428,6 +428,43 @@ fn slopes_of_fatigue_are_read() {
             .count()
     };
     assert_eq!(told("material \"glass\": A is not used"), 1);
-    assert_eq!(told("material \"glue\": m is not used without Xt"), 1);
+    assert_eq!(
+        told("material \"glue\": m is not used without one of Xt"),
+        1
+    );
     assert_eq!(told("\"foam\""), 0);
+}
+
+/// Strengths that are absent or zero never govern, and are remarked; without any there is no table. The
+/// zeros of the carbon are the ones of the public file of the IEA 15 MW turbine.
+#[test]
+fn strengths_of_some_directions_are_taken() {
+    let layup = changed(&[
+        ("Xt: [9.0e+8, 5.0e+7, 5.0e+7]", "Xt: [1.546e9, 0, 0]"),
+        ("Xc: [6.0e+8, 1.2e+8, 1.2e+8]", "Xc: [1.047e9, 0, 0]"),
+        ("S: [6.0e+7, 6.0e+7, 5.0e+7]", "S: [0, 0, 0]"),
+        ("    nu: 0.35", "    nu: 0.35\n    Xt: 7.4e7\n    Xc: 8.7e7"),
+        (
+            "    nu: 0.3\n",
+            "    nu: 0.3\n    Xt: 0\n    Xc: 0\n    S: 0\n",
+        ),
+    ]);
+    let layup = layup.unwrap_or_else(|text| panic!("{text}"));
+    for table in [
+        "[material.\"glass\".strength]\nxt = 1546000000.0\nxc = 1047000000.0\nyt = 1e30\nyc = 1e30\n\
+         s12 = 1e30\n",
+        "[material.\"glue\".strength]\ntension = 74000000.0\ncompression = 87000000.0\nshear = 1e30\n",
+    ] {
+        assert!(layup.constants.contains(table), "{}", layup.constants);
+    }
+    assert!(!layup.constants.contains("[material.\"foam\".strength]"));
+    let has = |text: &str| layup.remarks.iter().any(|one| one.contains(text));
+    let end = "in Xt, Xc and S: such failure is not assessed";
+    assert!(has(&format!(
+        "material \"glass\": no strength \"yt\", \"yc\", \"s12\" {end}"
+    )));
+    assert!(has(&format!(
+        "material \"glue\": no strength \"shear\" {end}"
+    )));
+    assert!(!has("\"foam\""), "{:?}", layup.remarks);
 }

@@ -84,9 +84,13 @@ fn head_of(text: &str, at: usize) -> Option<usize> {
 fn several(text: &str, at: usize) -> Option<String> {
     let line = text.get(head_of(text, at)?..)?.lines().next()?;
     let head = header(line);
+    let name = if head.contains('.') {
+        ", or give one another name"
+    } else {
+        ""
+    };
     let is_single = !head.starts_with("[[");
-    is_single
-        .then(|| format!("keep one of them; tables of which there may be several are [{head}]"))
+    is_single.then(|| format!("keep one of them{name}; tables of a list are [{head}]"))
 }
 
 /// The correct form of a number with a decimal comma, in the line at an offset.

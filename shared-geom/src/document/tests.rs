@@ -189,10 +189,15 @@ fn keys_that_are_there_twice_are_named_with_the_line_of_the_first() {
         let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
         assert!(shown.contains(expected), "{shown}");
     }
+    let text = "[material.al]\n[material.al]\n";
+    let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
+    let expected =
+        "keep one of them, or give one another name; tables of a list are [[material.al]]";
+    assert!(shown.ends_with(expected), "{shown}");
     let text = "[a]\nx = 1\ny = 2\n[a] # once more\nx = 1\ny = 2\n[b]\nx = 1\nx = 2\n";
     let shown = Document::parse(text, "a.toml").unwrap_err().to_string();
     let expected = "error: a.toml:4: not valid TOML: duplicate key \"a\", first on line 1\n  \
-                    help: keep one of them; tables of which there may be several are [[a]]\n\
+                    help: keep one of them; tables of a list are [[a]]\n\
                     error: a.toml:9: not valid TOML: duplicate key \"x\", first on line 8";
     assert_eq!(shown, expected);
 }

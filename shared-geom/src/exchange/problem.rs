@@ -8,10 +8,13 @@ use crate::files::{MissingFolder, names_beside, nearest_file};
 /// Number of problems of one file that are reported; the others are counted.
 const LIMIT: usize = 20;
 
-fn begins(begin: &str) -> String {
+fn unknown(begin: &str, tried: &[&str]) -> String {
+    let tried = tried.join(", ");
     match begin {
-        "" => "is empty".to_owned(),
-        _ => format!("begins with \"{begin}\""),
+        "" => format!("the file is empty, expected one of the formats {tried}"),
+        _ => format!(
+            "the format of the file is not known: it begins with \"{begin}\", tried {tried}"
+        ),
     }
 }
 
@@ -19,7 +22,7 @@ fn begins(begin: &str) -> String {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ExchangeProblem {
     /// A text of no known format.
-    #[error("the format of the file is not known: it {}, tried {}", begins(begin), tried.join(", "))]
+    #[error("{}", unknown(begin, tried))]
     Unknown {
         /// Its first line that is not blank.
         begin: String,

@@ -256,7 +256,10 @@ fn a_file_of_no_known_format_is_reported_what_was_tried() {
     let messages = read_with(&path, &Options::default())
         .unwrap_err()
         .to_string();
-    assert_says(&messages, "it is empty, tried Helicoid blade file");
+    assert_says(
+        &messages,
+        "the file is empty, expected one of the formats Helicoid blade file",
+    );
     assert!(read_with(Path::new("/no/such/file"), &Options::default()).is_err());
 }
 

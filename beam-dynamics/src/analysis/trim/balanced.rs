@@ -158,7 +158,7 @@ fn at_once(
     }
     let mut balance = Balance::new(&model.system, solver, *full, start);
     let report = solve(&mut balance, &Newton::default());
-    (report.status == NewtonStatus::Converged).then(|| Equilibrium {
+    (report.status == NewtonStatus::Converged).then_some(Equilibrium {
         state: balance.state,
         conditions: *full,
         iterations: report.history.len(),

@@ -1,5 +1,7 @@
 //! Table with one line per section, and the totals.
 
+use shared_geom::error::counted;
+
 use super::Job;
 use super::one::{Outcome, Status};
 use crate::output::engineering_values_of;
@@ -74,14 +76,14 @@ impl Lines {
 
     /// Number of sections per status.
     pub fn sum(&self) -> String {
-        let counted = [
+        let listed = [
             Status::Solved,
             Status::Unchanged,
             Status::Sound,
             Status::NotReached,
             Status::WrongInput,
         ];
-        let parts = counted.into_iter().filter_map(|status| {
+        let parts = listed.into_iter().filter_map(|status| {
             let count = self
                 .statuses
                 .iter()
@@ -90,7 +92,8 @@ impl Lines {
             (count > 0).then(|| format!("{count} {}", status.name()))
         });
         let parts: Vec<_> = parts.collect();
-        format!("\n{} sections: {}", self.statuses.len(), parts.join(", "))
+        let sections = counted(self.statuses.len(), "section");
+        format!("\n{sections}: {}", parts.join(", "))
     }
 
     /// The largest exit code.

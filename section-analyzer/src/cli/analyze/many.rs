@@ -11,6 +11,7 @@ use rayon::iter::{ParallelBridge, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::Job;
+use super::alike::Alike;
 use super::lines::Lines;
 use super::one::Outcome;
 use super::progress::Progress;
@@ -113,10 +114,10 @@ struct Listener<'a, 'b> {
     progress: Progress,
     waiting: BTreeMap<usize, Box<Outcome>>,
     reported: usize,
-    /// Problems that have been shown.
-    known: BTreeSet<String>,
-    /// The sections of each warning, without a report.
-    warned: BTreeMap<String, Vec<String>>,
+    /// Problems, of which the first of a kind is shown at once.
+    problems: Alike,
+    /// Warnings, which reports contain.
+    warnings: Alike,
     /// Removed results.
     removed: BTreeSet<PathBuf>,
     /// Reason for which the terminal accepts no more output. The run continues.
@@ -132,8 +133,8 @@ impl<'a, 'b> Listener<'a, 'b> {
             progress: Progress::new(jobs.len()),
             waiting: BTreeMap::new(),
             reported: 0,
-            known: BTreeSet::new(),
-            warned: BTreeMap::new(),
+            problems: Alike::default(),
+            warnings: Alike::default(),
             removed: BTreeSet::new(),
             closed: None,
         };
@@ -153,16 +154,16 @@ impl<'a, 'b> Listener<'a, 'b> {
         while let Some(outcome) = self.waiting.remove(&self.reported) {
             self.removed.extend(outcome.removed.iter().cloned());
             let line = self.lines.of(&self.jobs[self.reported], &outcome);
-            if self.terminal.is_quiet && !outcome.report.is_empty() {
+            let label = &self.jobs[self.reported].label;
+            if !outcome.report.is_empty() {
                 for text in &outcome.warnings {
-                    let sections = self.warned.entry(text.clone()).or_default();
-                    sections.push(self.jobs[self.reported].label.clone());
+                    self.warnings.add(text, label);
                 }
             }
             // sections may share a problem
             let messages = outcome
-                .messages(&self.jobs[self.reported].label, false)
-                .filter(|text| self.known.insert(text.clone()));
+                .messages(label, false)
+                .filter(|text| self.problems.add(text, label));
             self.show(&line, messages.as_deref());
             self.reported += 1;
         }
@@ -188,16 +189,17 @@ impl<'a, 'b> Listener<'a, 'b> {
     /// Shows the totals.
     fn finish(mut self) -> Ended {
         self.progress.finish();
-        let warned = self.warned.iter();
-        let warned = warned.map(|(text, at)| format!("warning: {}: {text}", at.join(", ")));
-        let warned: Vec<_> = warned.collect();
-        let sum = self.lines.sum();
-        self.show(
-            &sum,
-            Some(warned.join("\n"))
-                .filter(|all| !all.is_empty())
-                .as_deref(),
-        );
+        let mut sum = self.lines.sum();
+        let mut problems: Vec<String> = self.problems.others().collect();
+        if self.terminal.is_quiet {
+            let warnings = self.warnings.texts();
+            problems.extend(warnings.map(|text| format!("warning: {text}")));
+        } else {
+            let warnings = self.warnings.texts();
+            sum.extend(warnings.map(|text| format!("\n  remark: {text}")));
+        }
+        let problems = Some(problems.join("\n")).filter(|all| !all.is_empty());
+        self.show(&sum, problems.as_deref());
         let removed: Vec<_> = self.removed.into_iter().collect();
         let unlisted = list_removed(&removed, self.terminal).err();
         Ended {

@@ -34,7 +34,7 @@ columns case and duration [h]; without it each history occurs once.";
 pub(super) const STRENGTH_EXAMPLE: &str = "\
 Examples:
   section-analyzer strength rotor/rotor.span.csv --loads results/gust.forces.csv
-  section-analyzer strength rotor/rotor.span.csv --loads results/run.csv \\
+  section-analyzer strength rotor/rotor.span.csv --loads results/run.transient.csv \\
     --at root=0.02 --at mid=0.5 --exponents 4,10
   section-analyzer strength rotor/rotor.span.csv --loads cases.csv --durations life.csv";
 

@@ -85,10 +85,11 @@ fn reserves(span: &SolvedSpan<'_>, files: &SpanFiles) -> Result<Vec<ListedReserv
 
 /// Layers whose cells have another area than the layer.
 fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
-    let stations = span.stations.iter();
-    let rows = stations.map(|one| (one.properties.name.as_str(), one.layers.as_slice()));
     let remark = |(text, sections)| Remark { text, sections };
-    cut_of_layers(rows).into_iter().map(remark).collect()
+    cut_of_layers(span.layers())
+        .into_iter()
+        .map(remark)
+        .collect()
 }
 
 /// Layers whose cells have less area than the layer, with the names of the sections, by the

@@ -17,14 +17,14 @@
 
 use std::path::Path;
 
-use shared_geom::error::{Diagnostics, SourceLocation, nearest_name};
+use shared_geom::error::{Diagnostics, SourceLocation, nearest_name, quoted};
 use shared_geom::exchange::problem::{ExchangeProblem, Problems};
 use shared_geom::exchange::windio_fields;
 use shared_geom::exchange::yaml::{self, Node, Value};
 
 use super::course::Course;
 use super::resolve::Resolver;
-use super::{Layup, Materials, wrong_names};
+use super::{Layup, Materials, WrittenLayer, wrong_names};
 
 mod airfoil;
 mod angles;
@@ -161,7 +161,25 @@ fn blade(
         shape_line: outer.map_or(1, |outer| outer.line),
     };
     compare(&layup, &places, notes);
+    notes.remarks.extend(fiber_sign(&layup.layers));
     Some(layup)
+}
+
+/// The sign of the fiber angles, as windIO states it, of which other programs take another one: angles of
+/// layers that are not of webs.
+fn fiber_sign(layers: &[WrittenLayer]) -> Option<String> {
+    let inclined = layers
+        .iter()
+        .filter(|layer| layer.fiber_angle != 0.0 && layer.web.is_none());
+    let names: Vec<&String> = inclined.map(|layer| &layer.name).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "fiber angles are from the span toward the leading edge on both sides, as windIO states; along \
+             the contour, as other programs take them, they are with toward = \"contour\" in a layup \
+             file: {}",
+            quoted(&names)
+        )
+    })
 }
 
 /// Reports where two rules for one place differ.

@@ -6,12 +6,23 @@ use shared_geom::error::Explain;
 /// any need of a section.
 pub(super) const MOST_CELLS: usize = 4_000_000;
 
+/// Smallest and largest length, in the unit of the mesh: their fourth powers are numbers.
+const LENGTHS: [f64; 2] = [1e-15, 1e15];
+
 /// An invalid dimension.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GenerateProblem {
     /// A length that is zero, negative or not finite.
     #[error("{what}: expected a positive length, found {found}")]
     NotPositive {
+        /// Name of the length.
+        what: &'static str,
+        /// Its value, in the unit of the mesh.
+        found: f64,
+    },
+    /// A length of no section.
+    #[error("{what}: expected {:e} to {:e}, found {found:e}", LENGTHS[0], LENGTHS[1])]
+    Extreme {
         /// Name of the length.
         what: &'static str,
         /// Its value, in the unit of the mesh.
@@ -63,10 +74,12 @@ impl Explain for GenerateProblem {
     }
 }
 
-/// Notes a length that is not positive and finite.
+/// Notes a length that is not positive and finite, or beyond the limits.
 pub(super) fn check_length(what: &'static str, found: f64, problems: &mut Vec<GenerateProblem>) {
     if !(found > 0.0 && found.is_finite()) {
         problems.push(GenerateProblem::NotPositive { what, found });
+    } else if !(LENGTHS[0]..=LENGTHS[1]).contains(&found) {
+        problems.push(GenerateProblem::Extreme { what, found });
     }
 }
 

@@ -352,6 +352,10 @@ fn the_number_of_cells_is_limited() {
         ["expected at most 4000000 cells in all, found 6000000"]
     );
     assert_eq!(
+        messages(ellipse(8, 1e308).generate()),
+        ["semi-axis along y: expected 1e-15 to 1e15, found 1e308"]
+    );
+    assert_eq!(
         messages(ellipse(usize::MAX, f64::INFINITY).generate()),
         [
             "semi-axis along y: expected a positive length, found inf",

@@ -120,16 +120,16 @@ fn limit_of_the_jacobian() {
 #[test]
 fn limit_of_the_aspect_ratio() {
     let strip = |length: f64| quadrilateral([[0.0, 0.0], [length, 0.0], [length, 1.0], [0.0, 1.0]]);
-    assert_eq!(complaint(&strip(99.9)), None);
+    assert_eq!(complaint(&strip(999.0)), None);
     assert_eq!(
-        complaint(&strip(101.0)).unwrap(),
-        "aspect ratio 101.0, poor above 100"
+        complaint(&strip(1001.0)).unwrap(),
+        "aspect ratio 1001.0, poor above 1000"
     );
 }
 
 #[test]
 fn limits_of_the_corner_angles() {
-    // a narrow isosceles triangle: its aspect ratio stays below 100
+    // a narrow isosceles triangle: its aspect ratio stays below 1000
     let narrow = |degrees: f64| {
         let angle = degrees.to_radians();
         triangle([[0.0, 0.0], [1.0, 0.0], [angle.cos(), angle.sin()]])
@@ -178,7 +178,7 @@ fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
     let mut mesh = one(CellKind::Quadrilateral4, &[]);
     mesh.groups.push("web".into());
     mesh.cells.clear();
-    let lengths = [1.0, 20.0, 150.0, 5.0, 300.0, 120.0, 2.0, 50.0];
+    let lengths = [1.0, 20.0, 1500.0, 5.0, 3000.0, 1200.0, 2.0, 50.0];
     for (i, length) in lengths.into_iter().enumerate() {
         let low = 2.0 * i as f64;
         let corners = [[0.0, 0.0], [length, 0.0], [length, 1.0], [0.0, 1.0]];
@@ -201,7 +201,7 @@ fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
         [(14, true), (12, true), (15, true), (17, false), (11, false)]
     );
     assert_eq!(quality.worst[0].group, "skin");
-    assert_eq!(quality.worst[0].position, [150.0, 8.5]);
+    assert_eq!(quality.worst[0].position, [1500.0, 8.5]);
     let [skin, web] = &quality.regions[..] else {
         panic!("{quality:?}")
     };
@@ -211,8 +211,8 @@ fn regions_are_counted_apart_and_the_worst_cells_named_in_order() {
         (4, 2, [2, 0, 2])
     );
     assert_eq!((web.cells, web.poor, web.grades[aspect]), (4, 1, [1, 2, 1]));
-    assert!((skin.worst[aspect] - 300.0).abs() < 1e-9);
-    assert!((skin.mean[aspect] - 453.0 / 4.0).abs() < 1e-9);
+    assert!((skin.worst[aspect] - 3000.0).abs() < 1e-9);
+    assert!((skin.mean[aspect] - 4503.0 / 4.0).abs() < 1e-9);
     assert_eq!(
         quality.worst_value(ShapeMeasure::Aspect),
         Some(skin.worst[aspect])

@@ -12,6 +12,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use shared_geom::error::quoted;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::windio_fields::numbers;
 use shared_geom::exchange::yaml::{Node, Value};
@@ -25,6 +26,24 @@ use super::{Notes, items, named, required};
 const REPAIR: [f64; 2] = [0.05, 0.05];
 /// Poisson's ratio in the place of larger ones of isotropic materials.
 const LARGEST: f64 = 0.49;
+
+/// The strength of a direction without one \[Pa\].
+const UNLIMITED: f64 = 1e30;
+/// Keys of strengths of a ply, with their list of Xt, Xc, S and their position in it: the ones that a
+/// table needs, and the ones with a default.
+const NEEDED: [(&str, (usize, usize)); 5] = [
+    ("xt", (0, 0)),
+    ("xc", (1, 0)),
+    ("yt", (0, 1)),
+    ("yc", (1, 1)),
+    ("s12", (2, 0)),
+];
+const OTHERS: [(&str, (usize, usize)); 4] = [
+    ("zt", (0, 2)),
+    ("zc", (1, 2)),
+    ("s13", (2, 1)),
+    ("s23", (2, 2)),
+];
 
 /// Keys of the three lists, in the order of the lists.
 const KEYS: [(&str, [&str; 3]); 3] = [
@@ -159,9 +178,9 @@ fn is_possible([e1, e2, e3]: [f64; 3], [nu12, nu13, nu23]: [f64; 3], least: f64)
     determinant > least && squares.iter().all(|square| *square < 1.0)
 }
 
-/// The table of strengths, if the file has all that are needed.
+/// The table of strengths, if the file has any. Others, absent or zero, are so large that they do not
+/// matter, which is a remark; through the thickness they have the defaults of the table.
 fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) -> String {
-    let head = format!("\n[material.{name:?}.strength]\n");
     let mut read = |key: &str| -> Vec<f64> {
         let Some(at) = node.entry(key) else {
             return Vec::new();
@@ -171,38 +190,40 @@ fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) ->
             _ => at.text().and_then(number).into_iter().collect(),
         }
     };
-    let [tension, compression, shear] = ["Xt", "Xc", "S"].map(&mut read);
-    let at = |list: &[f64], i: usize| list.get(i).copied().filter(|value| *value > 0.0);
-    let row = |key: &str, value: f64| format!("{key} = {value:?}\n");
-    if !is_orthotropic {
-        let all = [&tension, &compression, &shear].map(|list| at(list, 0));
-        let [Some(tension), Some(compression), Some(shear)] = all else {
-            return String::new();
-        };
-        return head
-            + &row("tension", tension)
-            + &row("compression", compression)
-            + &row("shear", shear);
-    }
-    let needed = [
-        ("xt", at(&tension, 0)),
-        ("xc", at(&compression, 0)),
-        ("yt", at(&tension, 1)),
-        ("yc", at(&compression, 1)),
-        ("s12", at(&shear, 0)),
-    ];
-    if needed.iter().any(|(_, value)| value.is_none()) {
+    let lists = ["Xt", "Xc", "S"].map(&mut read);
+    let at = |(list, index): (usize, usize)| {
+        let value = lists[list].get(index).copied();
+        value.filter(|value| *value > 0.0)
+    };
+    let needed: &[(&str, (usize, usize))] = if is_orthotropic {
+        &NEEDED
+    } else {
+        &[
+            ("tension", (0, 0)),
+            ("compression", (1, 0)),
+            ("shear", (2, 0)),
+        ]
+    };
+    let unknown = needed.iter().filter(|(_, source)| at(*source).is_none());
+    let unknown: Vec<&str> = unknown.map(|(key, _)| *key).collect();
+    if unknown.len() == needed.len() {
         return String::new();
     }
-    let others = [
-        ("zt", at(&tension, 2)),
-        ("zc", at(&compression, 2)),
-        ("s13", at(&shear, 1)),
-        ("s23", at(&shear, 2)),
-    ];
-    let rows = needed.into_iter().chain(others);
-    let rows = rows.filter_map(|(key, value)| value.map(|value| row(key, value)));
-    head + &rows.collect::<String>()
+    if !unknown.is_empty() {
+        notes.remarks.push(format!(
+            "line {}: material \"{name}\": no strength {} in Xt, Xc and S: such failure is not assessed",
+            node.line,
+            quoted(&unknown)
+        ));
+    }
+    let needed = needed
+        .iter()
+        .map(|(key, source)| (*key, at(*source).unwrap_or(UNLIMITED)));
+    let others = OTHERS.iter().filter(|_| is_orthotropic);
+    let others = others.filter_map(|(key, source)| Some((*key, at(*source)?)));
+    let rows = needed.chain(others);
+    let rows = rows.map(|(key, value)| format!("{key} = {value:?}\n"));
+    format!("\n[material.{name:?}.strength]\n") + &rows.collect::<String>()
 }
 
 /// The slopes `m` of S-N lines, at the end of the table of strengths, if there is one; the stress `A` at
@@ -236,7 +257,7 @@ fn fatigue(
     }
     if !has_strength {
         notes.remarks.push(format!(
-            "line {}: {of}: m is not used without Xt, Xc and S of all directions of a criterion",
+            "line {}: {of}: m is not used without one of Xt, Xc and S",
             node.line
         ));
         return String::new();

@@ -91,7 +91,7 @@ pub(super) fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupPr
     let sharp = sharp.map(|three| three[1]).collect();
     if distinct.len() < LEAST {
         return wrong(format!(
-            "has {} points, expected {LEAST} or more",
+            "has {} points, expected {LEAST} or more, also along straight sides",
             distinct.len()
         ));
     }
