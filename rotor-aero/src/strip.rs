@@ -36,6 +36,7 @@ mod mach;
 mod polar;
 mod report;
 mod ring;
+mod start;
 
 pub use crate::unsteady::{Flap, SectionModel};
 pub use induced::{AnnularInflow, StripInflow, Wake};

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 
-use crate::assembly::{MasslessMotions, System};
+use crate::assembly::{MasslessMotions, System, Tangent};
 use crate::case::{Model, ModesSettings};
 use crate::model::State;
 use crate::modes::{
@@ -338,7 +338,10 @@ fn at_equilibrium(
     let tangent = system.tangent(&steady.state, &steady.conditions);
     let massless = MasslessMotions::new(system, &tangent);
     let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
-    let problem = problem.ok_or(Failure::Singular { speed })?;
+    let half = half_air(system, steady);
+    let problem = problem
+        .ok_or(Failure::Singular { speed })?
+        .with_half_air(half.as_ref());
     // Copies are separated together, and some of them alone cannot be followed to another speed.
     let of_copies = copies(case.model) - 1;
     let spare = match case.settings.speeds.len() {
@@ -381,6 +384,13 @@ fn at_equilibrium(
         real: real.iter().map(of_real).collect(),
         residual: residual.fold(steady_residual, larger),
     })
+}
+
+/// The linearized system with half of the forces of the air; `None` without states that air may have.
+fn half_air(system: &System, steady: &Equilibrium) -> Option<Tangent> {
+    let mut conditions = steady.conditions;
+    conditions.loading.air *= 0.5;
+    (!system.scalars().is_empty()).then(|| system.tangent(&steady.state, &conditions))
 }
 
 /// The lowest `count` modes and `spare` ones; of a free model beside its rigid ones.

@@ -77,9 +77,13 @@ pub trait Memory {
     fn next_change(&self, time: f64) -> f64;
 }
 
-/// Scalars of an element whose equations have no slope far from their solution, so that Newton's
-/// method does not find them.
+/// Scalars of an element that Newton's method does not find from zero, as their equations have no slope
+/// or a slope that changes far from their solution.
 pub trait Settling {
+    /// Replaces first guesses of these scalars, among the element's, by values near the ones at rest in
+    /// the present motion.
+    fn begin(&self, at: &Local<'_>, scalars: &mut [f64]);
+
     /// Replaces the values of these scalars, among the element's, by the ones at which their
     /// equations hold without rates in the present motion, with all other scalars as they are.
     fn settle(&self, at: &Local<'_>, scalars: &mut [f64]);

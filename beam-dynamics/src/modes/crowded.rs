@@ -41,22 +41,16 @@ impl EigenProblem<'_> {
         found < count && slow >= count && self.has_slow_scalars()
     }
 
-    /// The `count` oscillations of lowest frequency of a system without lags of scalars, corrected
-    /// in this one; and how many could not be corrected.
+    /// The `count` oscillations of lowest frequency of a system without air, or without lags of
+    /// scalars, that lead to one in this system; and how many lead to none.
     pub(super) fn beyond_the_crowd(&self, count: usize) -> (Vec<Eigenpair>, usize) {
-        let Some(tangent) = self.without_circuits(self.tangent()) else {
-            return (Vec::new(), 0);
+        let found = match self.half_air() {
+            Some(half) => self.from_vacuum(half, count),
+            None => self.without_lags(count),
         };
-        let Some(problem) = self.beside(&tangent) else {
-            return (Vec::new(), 0);
-        };
-        let found = problem.lowest(count).pairs;
         let asked = found.len();
         let mut pairs: Vec<Eigenpair> = Vec::with_capacity(asked);
-        for pair in &found {
-            let Some(corrected) = self.corrected(pair) else {
-                continue;
-            };
+        for corrected in found.into_iter().flatten() {
             let is_near = |other: &&Eigenpair| {
                 (other.value() - corrected.value()).norm() <= CONFIRMED * corrected.value().norm()
             };
@@ -71,9 +65,34 @@ impl EigenProblem<'_> {
         (pairs, lost)
     }
 
-    /// The pair of the complete system that has the shape of `pair`; `None` if the iteration leaves
-    /// this shape, or ends at a motion that does not oscillate.
-    fn corrected(&self, pair: &Eigenpair) -> Option<Eigenpair> {
+    /// The modes of lowest frequency of a system without lags of scalars, corrected in this one.
+    fn without_lags(&self, count: usize) -> Vec<Option<Eigenpair>> {
+        let Some(tangent) = self.without_circuits(self.tangent()) else {
+            return Vec::new();
+        };
+        let Some(problem) = self.beside(&tangent) else {
+            return Vec::new();
+        };
+        let found = problem.lowest_complete(count);
+        let corrected = found.iter().map(|pair| self.corrected(pair, SAME_SHAPE));
+        corrected.collect()
+    }
+
+    /// The `count` oscillations of lowest frequency, and the other copies of the last one.
+    pub(super) fn lowest_complete(&self, count: usize) -> Vec<Eigenpair> {
+        let mut pairs = self.lowest(count + self.copies()).pairs;
+        let last = pairs.get(count.saturating_sub(1)).map(Eigenpair::value);
+        let is_copy = |pair: &Eigenpair| {
+            last.is_some_and(|last| (pair.value() - last).norm() <= CONFIRMED * last.norm())
+        };
+        let copies = pairs.iter().skip(count).take_while(|pair| is_copy(pair));
+        pairs.truncate(count + copies.count());
+        pairs
+    }
+
+    /// The pair of the complete system that has the shape of `pair`, with an overlap of at least
+    /// `least`; `None` if the iteration leaves this shape, or ends at a motion that does not oscillate.
+    pub(super) fn corrected(&self, pair: &Eigenpair, least: f64) -> Option<Eigenpair> {
         let size = self.size();
         let all = self.tangent().by_rates.pattern().size();
         let mut start = pair.vector();
@@ -102,7 +121,7 @@ impl EigenProblem<'_> {
                 break;
             }
         }
-        let is_same = product(&start, &vector, size).norm() >= SAME_SHAPE;
+        let is_same = product(&start, &vector, size).norm() >= least;
         let oscillates = value.im > OVERDAMPED * value.norm();
         if !is_same || !oscillates {
             return None;

@@ -74,6 +74,8 @@ pub struct EigenProblem<'a> {
     copies: usize,
     /// Magnitude of the lowest that is not [1/s].
     lowest: f64,
+    /// The system with half of the forces of the air, if there is air.
+    half_air: Option<&'a Tangent>,
 }
 
 impl<'a> EigenProblem<'a> {
@@ -117,6 +119,21 @@ impl<'a> EigenProblem<'a> {
         last
     }
 
+    /// The same with the tangent of the system in which half of the forces of the air act, from which
+    /// modes among slow states of the air are found.
+    #[must_use]
+    pub fn with_half_air(self, half: Option<&'a Tangent>) -> Self {
+        Self {
+            half_air: half,
+            ..self
+        }
+    }
+
+    /// The system with half of the forces of the air, if there is air.
+    pub(super) fn half_air(&self) -> Option<&Tangent> {
+        self.half_air
+    }
+
     /// Takes values up to `zero` for zero, and the lowest other one for known.
     fn know(&mut self, (zero, lowest): (f64, f64)) {
         self.inverse.set_zero(zero);
@@ -144,6 +161,7 @@ impl<'a> EigenProblem<'a> {
             size,
             copies,
             lowest: 0.0,
+            half_air: None,
         })
     }
 

@@ -131,6 +131,11 @@ fn find(
             return Some(());
         }
         before = last;
+        // The first step has the scalars on which the flow at strips depends, as the radius of a tip.
+        if iteration == 0 && settling == Settling::AtRest {
+            system.begin_scalars(state, conditions);
+            system.settle_scalars(state, conditions);
+        }
     }
     // Rates that vanish are round-off of the terms of their equations, whatever their last change.
     let residual = system.residual(state, conditions);

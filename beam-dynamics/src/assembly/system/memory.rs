@@ -2,12 +2,39 @@
 
 use super::System;
 use super::layout::Workspace;
-use crate::model::{Conditions, State};
+use crate::elements::{Local, Settling};
+use crate::model::{Conditions, ScalarStart, State};
 
 impl System {
     /// Replaces the scalars that Newton's method does not find by their values at rest in the
     /// motion of the state.
     pub fn settle_scalars(&self, state: &mut State, conditions: &Conditions) {
+        self.replace_scalars(state, conditions, |settling, at, values| {
+            settling.settle(at, values);
+        });
+    }
+
+    /// Replaces the first guesses of scalars that settle by values near the ones at rest in the motion
+    /// of the state.
+    pub fn begin_scalars(&self, state: &mut State, conditions: &Conditions) {
+        let before = state.scalars.clone();
+        self.replace_scalars(state, conditions, |settling, at, values| {
+            settling.begin(at, values);
+        });
+        let scalars = self.scalars().iter().zip(before);
+        for (value, (scalar, before)) in state.scalars.iter_mut().zip(scalars) {
+            if scalar.start != ScalarStart::Settled {
+                *value = before;
+            }
+        }
+    }
+
+    fn replace_scalars(
+        &self,
+        state: &mut State,
+        conditions: &Conditions,
+        replace: impl Fn(&dyn Settling, &Local<'_>, &mut [f64]),
+    ) {
         let mut values = Vec::new();
         for (index, element) in self.elements.iter().enumerate() {
             let Some(settling) = element.settling() else {
@@ -16,7 +43,7 @@ impl System {
             values.clear();
             self.seen(index, state, conditions, |at| {
                 values.extend_from_slice(at.scalars.values);
-                settling.settle(at, &mut values);
+                replace(settling, at, &mut values);
             });
             for (scalar, value) in self.numbering.scalars_of(index).iter().zip(&values) {
                 state.scalars[*scalar] = *value;

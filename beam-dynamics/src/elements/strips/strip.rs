@@ -366,14 +366,24 @@ impl Element for AirStrip {
     }
 
     fn settling(&self) -> Option<&dyn Settling> {
-        self.strip.needs_start().then_some(self as &dyn Settling)
+        let strip = &self.strip;
+        (strip.needs_start() || strip.has_annulus()).then_some(self as &dyn Settling)
     }
 
     has!(energetic: Energetic, structure: Structure, reports: Reports);
 }
 
 impl Settling for AirStrip {
+    fn begin(&self, at: &Local<'_>, scalars: &mut [f64]) {
+        let numbers = self.numbers(&self.flow(&self.carrier(at), at), at);
+        let states = &mut scalars[..self.states()];
+        self.strip.begin(self.acting(at), &numbers, states);
+    }
+
     fn settle(&self, at: &Local<'_>, scalars: &mut [f64]) {
+        if !self.strip.needs_start() {
+            return;
+        }
         let numbers = self.numbers(&self.flow(&self.carrier(at), at), at);
         let states = &mut scalars[..self.states()];
         self.strip.settle(self.acting(at), &numbers, states);

@@ -1,0 +1,75 @@
+//! Modes with air, followed from the ones without it.
+//!
+//! The air damps the flapping of blades so much that no system without lags has values near it. The
+//! linearized system is affine in the part p of the forces of the air that acts,
+//!
+//! ```text
+//! F(p) = F(1) + 2 (1 - p) (F(1/2) - F(1))
+//! ```
+//!
+//! and each mode without air, p = 0, is followed to p = 1 in steps over which its shape changes little.
+
+use super::eigen::EigenProblem;
+use super::eigenpair::Eigenpair;
+use crate::assembly::{Sparse, Tangent};
+
+/// Largest number of steps.
+const STEPS: usize = 16;
+/// Overlap of the shapes before and after a step from which it is accepted, of one step and of several.
+const SAME: [f64; 2] = [0.5, 0.95];
+
+/// A matrix with a part of the forces of the air.
+fn mixed(whole: &Sparse, half: &Sparse, part: f64) -> Sparse {
+    let mut matrix = whole.clone();
+    let pairs = matrix.values_mut().iter_mut().zip(half.values());
+    for (value, half) in pairs {
+        *value += 2.0 * (1.0 - part) * (half - *value);
+    }
+    matrix
+}
+
+impl EigenProblem<'_> {
+    /// The modes without air of the lowest `count` frequencies, followed into this system; `None` for
+    /// those that are lost on the way. `half` has half of the forces of the air.
+    pub(super) fn from_vacuum(&self, half: &Tangent, count: usize) -> Vec<Option<Eigenpair>> {
+        let whole = self.tangent();
+        let part = |step: usize| Tangent {
+            by_unknowns: mixed(
+                &whole.by_unknowns,
+                &half.by_unknowns,
+                step as f64 / STEPS as f64,
+            ),
+            by_rates: mixed(&whole.by_rates, &half.by_rates, step as f64 / STEPS as f64),
+        };
+        let Some(vacuum) = self.without_circuits(&part(0)) else {
+            return Vec::new();
+        };
+        let Some(problem) = self.beside(&vacuum) else {
+            return Vec::new();
+        };
+        let found = problem.lowest_complete(count);
+        let tangents: Vec<Tangent> = (1..=STEPS).map(part).collect();
+        let problems: Vec<_> = tangents
+            .iter()
+            .map(|tangent| self.beside(tangent))
+            .collect();
+        let follow = |pair: Eigenpair| {
+            let (mut pair, mut at, mut stride) = (pair, 0, STEPS);
+            while at < STEPS {
+                stride = stride.min(STEPS - at);
+                let problem = problems[at + stride - 1].as_ref();
+                let least = SAME[usize::from(stride > 1)];
+                match problem.and_then(|problem| problem.corrected(&pair, least)) {
+                    Some(next) => {
+                        (pair, at) = (next, at + stride);
+                        stride *= 2;
+                    }
+                    None if stride > 1 => stride /= 2,
+                    None => return None,
+                }
+            }
+            Some(pair)
+        };
+        found.into_iter().map(follow).collect()
+    }
+}
