@@ -124,6 +124,35 @@ fn whirls_are_named_and_shifted_by_the_speed() {
     );
 }
 
+// Light blades, whose first flap mode has three quarters of the critical damping: no system without lags has
+// an oscillation near it, and it is found from the mode without air. Numbers of flap modes count from it, at
+// each wind, and beside a lagged section the damping is the one of the quasi-steady section to the order of
+// the reduced frequency, a fifth.
+#[test]
+fn modes_of_large_damping_are_not_lost() {
+    let light = |section: &str| {
+        let text = text("frozen", section).replace("count = 6", "count = 12");
+        text.replace("m = 10\niy = 0.2\niz = 1", "m = 5\niy = 0.06\niz = 0.3")
+    };
+    let damping = |root: &StabilityRoot| -root.exponent.re / root.exponent.norm();
+    let winds = "[6, 8, 10, 12]";
+    let [lagged, steady] = ["hgm", "quasi_steady"].map(|word| over(&light(word), "wind", winds));
+    for index in 0..4 {
+        let [first, second] =
+            ["flap 1 collective", "flap 2 collective"].map(|name| root(&lagged, index, name));
+        let frequencies = [first, second].map(|root| root.frequency() / TAU);
+        println!("{frequencies:?} Hz, {} {}", damping(first), damping(second));
+        assert!((3.0..4.5).contains(&frequencies[0]), "{frequencies:?}");
+        assert!((8.0..10.5).contains(&frequencies[1]), "{frequencies:?}");
+        let quasi_steady = root(&steady, index, "flap 1 collective");
+        let difference = damping(first) - damping(quasi_steady);
+        assert!(
+            damping(first) > 0.6 && difference.abs() < 0.2,
+            "{difference}"
+        );
+    }
+}
+
 /// Displacement of the tip in the shape of a mode \[m\], and step of the run \[s\].
 const AMPLITUDE: f64 = 0.02;
 const STEP: f64 = 0.01;

@@ -246,6 +246,7 @@ fn place(
     let mut placed = AirBlade {
         name: name.to_owned(),
         rotor: rotor.map(|rotor| rotor.name().to_owned()),
+        has_inflow: rotor.is_some_and(Rotor::has_inflow),
         length,
         strips: Vec::new(),
         points: Vec::new(),

@@ -9,6 +9,8 @@
 //!
 //! and each mode without air, p = 0, is followed to p = 1 in steps over which its shape changes little.
 
+use std::cell::OnceCell;
+
 use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
 use crate::assembly::{Sparse, Tangent};
@@ -48,16 +50,18 @@ impl EigenProblem<'_> {
             return Vec::new();
         };
         let found = problem.lowest_complete(count);
-        let tangents: Vec<Tangent> = (1..=STEPS).map(part).collect();
-        let problems: Vec<_> = tangents
-            .iter()
-            .map(|tangent| self.beside(tangent))
-            .collect();
+        let tangents: [OnceCell<Tangent>; STEPS] = Default::default();
+        let problems: [OnceCell<Option<EigenProblem<'_>>>; STEPS] = Default::default();
+        let problem_at = |step: usize| {
+            let tangent = tangents[step - 1].get_or_init(|| part(step));
+            let problem = problems[step - 1].get_or_init(|| self.beside(tangent));
+            problem.as_ref()
+        };
         let follow = |pair: Eigenpair| {
             let (mut pair, mut at, mut stride) = (pair, 0, STEPS);
             while at < STEPS {
                 stride = stride.min(STEPS - at);
-                let problem = problems[at + stride - 1].as_ref();
+                let problem = problem_at(at + stride);
                 let least = SAME[usize::from(stride > 1)];
                 match problem.and_then(|problem| problem.corrected(&pair, least)) {
                     Some(next) => {

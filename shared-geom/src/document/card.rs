@@ -289,8 +289,8 @@ impl Document {
     }
 
     /// The text of the file with other text in place of each table `[[kind]]`: number k is
-    /// replaced by number k of `texts`. `None` if a table is in an included file, or written as a
-    /// value of the key.
+    /// replaced by number k of `texts`. `None` if a table is in an included file, written as a
+    /// value of the key, or has a part behind another table.
     pub fn replaced(&self, source: &str, kind: &str, texts: &[String]) -> Option<String> {
         let mut lines: Vec<_> = source.lines().map(str::to_owned).collect();
         let (cards, others): (Vec<_>, Vec<_>) = self.root.iter().partition(|one| one.key == kind);
@@ -298,6 +298,12 @@ impl Document {
             return Some(source.to_owned());
         };
         let mut starts: Vec<_> = cards.iter().map(|card| card.line).collect();
+        let last_line = |card: &Value| {
+            let mut lines = Vec::new();
+            lines_of_value(card, &mut lines);
+            lines.into_iter().max().unwrap_or(0)
+        };
+        let ends: Vec<_> = cards.iter().map(last_line).collect();
         let cards = starts.len().min(texts.len());
         others
             .into_iter()
@@ -309,6 +315,9 @@ impl Document {
                 return None;
             }
             let after = starts.iter().filter(|line| **line > start).min();
+            if after.is_some_and(|line| ends[number] >= *line) {
+                return None;
+            }
             let mut end = after.map_or(lines.len(), |line| (line - 1).min(lines.len()));
             // Comments above the next table are of that table.
             let is_comment =
@@ -324,16 +333,17 @@ impl Document {
 
 /// The lines of a key and of all in it.
 fn lines_of(entry: &Entry, lines: &mut Vec<usize>) {
-    fn of_value(value: &Value, lines: &mut Vec<usize>) {
-        lines.push(value.line);
-        match &value.kind {
-            Kind::Array(items) => items.iter().for_each(|item| of_value(item, lines)),
-            Kind::Table(entries) => entries.iter().for_each(|entry| lines_of(entry, lines)),
-            _ => {}
-        }
-    }
     lines.push(entry.line);
-    of_value(&entry.value, lines);
+    lines_of_value(&entry.value, lines);
+}
+
+fn lines_of_value(value: &Value, lines: &mut Vec<usize>) {
+    lines.push(value.line);
+    match &value.kind {
+        Kind::Array(items) => items.iter().for_each(|item| lines_of_value(item, lines)),
+        Kind::Table(entries) => entries.iter().for_each(|entry| lines_of(entry, lines)),
+        _ => {}
+    }
 }
 
 /// Puts a card at its path; `false` if there is another value.
@@ -440,5 +450,8 @@ mod tests {
         let inline = "r = [{ a = 1 }]\n";
         let document = Document::parse(inline, "a.toml").unwrap();
         assert_eq!(document.replaced(inline, "r", &texts[..1]), None);
+        let apart = "[[r]]\na = 1\n[p]\nb = 2\n[r.s]\nc = 3\n";
+        let document = Document::parse(apart, "a.toml").unwrap();
+        assert_eq!(document.replaced(apart, "r", &texts[..1]), None);
     }
 }

@@ -16,6 +16,8 @@ pub(in crate::input) struct AirBlade {
     pub name: String,
     /// Name of its rotor, if it has one.
     pub rotor: Option<String>,
+    /// Whether its rotor has an inflow, whose name is the one of the rotor.
+    pub has_inflow: bool,
     /// Radius of its tip; without a rotor the length of its line \[m\].
     pub length: f64,
     /// Names of its strips from the root to the tip, and the radii of their quarter chords; without a

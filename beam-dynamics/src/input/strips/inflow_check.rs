@@ -112,7 +112,8 @@ pub(in crate::input) fn check(root: &Table<'_>, builder: &mut ModelBuilder) {
     let mut remarks = Vec::new();
     for (inflow, table) in inflows.iter().zip(root.tables("inflow")) {
         let users = builder.air_blades().iter();
-        let users = users.filter(|blade| blade.rotor.as_ref() == Some(&inflow.name));
+        let users =
+            users.filter(|blade| blade.has_inflow && blade.rotor.as_ref() == Some(&inflow.name));
         let users: Vec<&AirBlade> = users.collect();
         let stated = match &inflow.kind {
             InflowKind::Annular(annular) => annular.stated(),
@@ -122,6 +123,13 @@ pub(in crate::input) fn check(root: &Table<'_>, builder: &mut ModelBuilder) {
             table.note(key, &problem);
         }
         remarks.extend(one_of_several(inflow, stated.0, &users));
+        if users.is_empty() {
+            remarks.push(format!(
+                "inflow \"{0}\" has no effect, since no blade and no strip refers to it: give them \
+                 inflow = \"{0}\"",
+                inflow.name
+            ));
+        }
     }
     builder.add_remarks(remarks);
 }
@@ -301,6 +309,17 @@ mod tests {
             "{:?}",
             input.remarks
         );
+    }
+
+    #[test]
+    fn an_inflow_without_blades_has_no_effect() {
+        let text = rotor("blades = 3", &[3]).replacen("inflow = \"lift\"\n", "", 3);
+        let remarks = read_beside(&text, &[]).unwrap().remarks;
+        let expected = "inflow \"lift\" has no effect, since no blade and no strip refers to it";
+        let has_it = |remarks: &[String]| remarks.iter().any(|one| one.starts_with(expected));
+        assert!(has_it(&remarks), "{text}\n{remarks:?}");
+        let sound = read_beside(&rotor("blades = 3", &[3]), &[]).unwrap();
+        assert!(!has_it(&sound.remarks), "{:?}", sound.remarks);
     }
 
     #[test]

@@ -138,6 +138,11 @@ impl Rotor {
             .map_or(NO_INFLOW, |inflow| &inflow.name)
     }
 
+    /// Whether it has an inflow.
+    pub fn has_inflow(&self) -> bool {
+        self.inflow.is_some()
+    }
+
     /// The inflow, if it is of annuli and does not have the number of blades.
     pub fn without_blades(&self) -> Option<&str> {
         let inflow = self.inflow.as_ref()?;

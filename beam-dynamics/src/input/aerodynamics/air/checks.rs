@@ -85,11 +85,17 @@ pub(in crate::input) fn check_mach<'a>(
     }
 }
 
-/// Notes a wind with a law of the height if the center of a rotor is at or below the ground, where
-/// it has no speed.
-pub(in crate::input) fn check_ground(root: &Table<'_>, air: &Air, center: &Vector3<f64>) {
+/// Notes a wind with a law of the height if the center of a rotor, or without rotors the one of the
+/// rotation, is at or below the ground, where it has no speed.
+pub(in crate::input) fn check_ground(
+    root: &Table<'_>,
+    air: &Air,
+    (rotors, rotation): (&[Vector3<f64>], &Vector3<f64>),
+) {
     let wind = air.wind();
-    let [_, _, height] = wind.frame.point(&(*center).into());
+    let height = |center: &Vector3<f64>| wind.frame.point(&(*center).into())[2];
+    let lowest = rotors.iter().map(height).reduce(f64::min);
+    let height = lowest.unwrap_or_else(|| height(rotation));
     if height > 0.0 || wind.mean.at(0.0).shear == Shear::Uniform {
         return;
     }

@@ -44,7 +44,7 @@ keys! {
     /// Number of points of generated turbulence across the wind, and over the height.
     pub(super) POINTS: usize = "points", [Count(64)], or "9" = 9, "15";
     /// Width and height of generated turbulence, whose middle is at the hub.
-    pub(super) WIDTH: Option<f64> = "width", [Positive(Dimension::LENGTH)], or "1.2 diameters",
+    pub(super) WIDTH: Option<f64> = "width", [Positive(Dimension::LENGTH)], or "1.2 diameters, above the ground",
         "160";
 }
 
@@ -73,6 +73,8 @@ const OF_TURBULENCE: [&str; 5] = [
 
 /// Width of generated turbulence, in diameters of the rotor \[-\].
 const WIDTH_OF_ROTOR: f64 = 1.2;
+/// Part of the height of the hub that half of this width is at most.
+const ABOVE_GROUND: f64 = 0.99;
 
 /// A wind condition.
 #[derive(Debug)]
@@ -152,9 +154,9 @@ pub(super) fn read(table: &Table<'_>, mean: Option<&MeanCard>, has_box: bool) ->
         5 => Condition::Profile(turbine.extreme_profile_50()),
         6 => Condition::Profile(turbine.extreme_profile_1()),
         7 | 8 => Condition::Turbulent(Turbulent {
+            generated: generated?(&turbine),
             turbine,
             is_extreme: kind == 8,
-            generated: generated?(turbine.diameter),
         }),
         _ => {
             let (start, sign) = (start?, if reversed? { -1.0 } else { 1.0 });
@@ -213,19 +215,22 @@ fn shape(turbine: &IecTurbine, kind: usize, speed: f64, sign: f64) -> EventShape
     }
 }
 
-/// The sizes of a generated box by the diameter of the rotor \[m\].
-fn generated(table: &Table<'_>) -> Option<impl FnOnce(f64) -> GeneratedBox + use<>> {
+/// The sizes of a generated box by the turbine.
+fn generated(table: &Table<'_>) -> Option<impl FnOnce(&IecTurbine) -> GeneratedBox + use<>> {
     let (seed, points) = (table.get(&SEED), table.get(&POINTS));
     let (duration, time_step) = (table.get(&DURATION), table.get(&TIME_STEP));
     let width = table.get(&WIDTH);
     let (seed, points, duration, time_step) = (seed? as u64, points?, duration?, time_step?);
     let width = width?;
-    Some(move |diameter: f64| GeneratedBox {
+    Some(move |turbine: &IecTurbine| GeneratedBox {
         seed,
         duration,
         time_step,
         points,
-        width: width.unwrap_or(WIDTH_OF_ROTOR * diameter),
+        width: width.unwrap_or(f64::min(
+            WIDTH_OF_ROTOR * turbine.diameter,
+            ABOVE_GROUND * 2.0 * turbine.hub_height,
+        )),
     })
 }
 
