@@ -125,9 +125,10 @@ fn whirls_are_named_and_shifted_by_the_speed() {
 }
 
 // Light blades, whose first flap mode has three quarters of the critical damping: no system without lags has
-// an oscillation near it, and it is found from the mode without air. Numbers of flap modes count from it, at
-// each wind, and beside a lagged section the damping is the one of the quasi-steady section to the order of
-// the reduced frequency, a fifth.
+// an oscillation near it (with a quasi-steady section it does not oscillate), and it is found from the mode
+// without air. Numbers of flap modes count from it, at each wind. Two section models have the same lags
+// of circulation; the other one has an added mass of a fifth of the mass of the blade, which at equal damping
+// and stiffness changes the ratio by a tenth of itself, 0.07.
 #[test]
 fn modes_of_large_damping_are_not_lost() {
     let light = |section: &str| {
@@ -136,7 +137,7 @@ fn modes_of_large_damping_are_not_lost() {
     };
     let damping = |root: &StabilityRoot| -root.exponent.re / root.exponent.norm();
     let winds = "[6, 8, 10, 12]";
-    let [lagged, steady] = ["hgm", "quasi_steady"].map(|word| over(&light(word), "wind", winds));
+    let [lagged, other] = ["hgm", "lagged"].map(|word| over(&light(word), "wind", winds));
     for index in 0..4 {
         let [first, second] =
             ["flap 1 collective", "flap 2 collective"].map(|name| root(&lagged, index, name));
@@ -144,12 +145,9 @@ fn modes_of_large_damping_are_not_lost() {
         println!("{frequencies:?} Hz, {} {}", damping(first), damping(second));
         assert!((3.0..4.5).contains(&frequencies[0]), "{frequencies:?}");
         assert!((8.0..10.5).contains(&frequencies[1]), "{frequencies:?}");
-        let quasi_steady = root(&steady, index, "flap 1 collective");
-        let difference = damping(first) - damping(quasi_steady);
-        assert!(
-            damping(first) > 0.6 && difference.abs() < 0.2,
-            "{difference}"
-        );
+        let difference = damping(first) - damping(root(&other, index, "flap 1 collective"));
+        assert!(damping(first) > 0.6, "{}", damping(first));
+        assert!(difference.abs() < 0.07, "{difference}");
     }
 }
 
