@@ -18,6 +18,7 @@ mod shaft;
 mod shift;
 mod sorted;
 mod tracking;
+mod undamped;
 
 pub use eigen::{EigenProblem, Lowest};
 pub use eigenpair::Eigenpair;
