@@ -35,8 +35,15 @@ pub type EqualParts = Vec<Vec<usize>>;
 /// Why parts are not equal.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Unequal {
-    /// No node is where the image of this node would be.
-    NoImage(usize),
+    /// No node is where the image of this one would be.
+    NoImage {
+        /// The node.
+        node: usize,
+        /// Distance of the nearest node from there [m].
+        nearest: f64,
+    },
+    /// This node is connected with others in another way than the node in the position of its image.
+    Connected(usize),
     /// The blocks of two nodes and of their images differ.
     Different([usize; 2]),
 }
@@ -49,6 +56,8 @@ pub struct Symmetry<'a> {
     axis: Vector3<f64>,
     /// Whether a node is its own image.
     central: &'a [bool],
+    /// Largest distance of a node from the center \[m\].
+    size: f64,
     /// Computed where positions agree.
     blocks: OnceCell<Blocks>,
 }
@@ -61,7 +70,10 @@ impl<'a> Symmetry<'a> {
         (center, axis): (Vector3<f64>, Vector3<f64>),
         central: &'a [bool],
     ) -> Self {
+        let nodes = system.nodes().iter();
+        let distances = nodes.map(|node| (node.position - center).norm());
         Self {
+            size: distances.fold(0.0, f64::max),
             system,
             center,
             axis,
@@ -128,7 +140,7 @@ impl<'a> Symmetry<'a> {
                 node = images[node];
             }
             if node != first {
-                return Err(Unequal::NoImage(first));
+                return Err(Unequal::Connected(first));
             }
         }
         Ok(parts)
@@ -157,7 +169,9 @@ impl<'a> Symmetry<'a> {
         };
         let has_none = |node: &usize| images.candidates(*node, self.others()).is_empty();
         if let Some(node) = self.others().find(has_none) {
-            return Err(Unequal::NoImage(node));
+            let nearest = self.others().map(|other| images.off(node, other));
+            let nearest = nearest.fold(f64::INFINITY, f64::min);
+            return Err(Unequal::NoImage { node, nearest });
         }
         let nodes = self.system.nodes();
         let off = |node: usize| {
@@ -173,14 +187,7 @@ impl<'a> Symmetry<'a> {
             }
         }
         let found: Option<Vec<_>> = images.of.into_iter().collect();
-        found.ok_or(Unequal::NoImage(0))
-    }
-
-    /// Largest distance of a node from the center \[m\].
-    fn size(&self) -> f64 {
-        let nodes = self.system.nodes().iter();
-        let distances = nodes.map(|node| (node.position - self.center).norm());
-        distances.fold(0.0, f64::max)
+        found.ok_or(Unequal::Connected(0))
     }
 }
 
@@ -206,7 +213,7 @@ impl Images<'_> {
         let blocks = self.symmetry.blocks();
         let image = blocks.nearest((node, node), found.iter().map(|b| (*b, *b)), self.turn);
         let image = image.map(|pair| pair.0);
-        self.take(node, image.ok_or(Unequal::NoImage(node))?);
+        self.take(node, image.ok_or(Unequal::Connected(node))?);
         let mut open = vec![node];
         while let Some(node) = open.pop() {
             let Some(image) = self.of[node] else { continue };
@@ -217,7 +224,7 @@ impl Images<'_> {
                 let found = self.candidates(next, blocks.neighbors(image));
                 let pairs = found.iter().map(|b| (image, *b));
                 let found = blocks.nearest((node, next), pairs, self.turn);
-                self.take(next, found.ok_or(Unequal::NoImage(next))?.1);
+                self.take(next, found.ok_or(Unequal::Connected(next))?.1);
                 open.push(next);
             }
         }
@@ -231,17 +238,17 @@ impl Images<'_> {
 
     /// Nodes among `from` that are where the image of `node` is.
     fn candidates(&self, node: usize, from: impl Iterator<Item = usize>) -> Vec<usize> {
-        let Symmetry {
-            system,
-            center,
-            central,
-            ..
-        } = self.symmetry;
-        let nodes = system.nodes();
-        let position = center + self.turn * (nodes[node].position - center);
-        let limit = EQUAL * self.symmetry.size();
-        from.filter(|other| !central[*other] && !self.taken.contains(other))
-            .filter(|other| (nodes[*other].position - position).norm() <= limit)
+        let limit = EQUAL * self.symmetry.size;
+        from.filter(|other| !self.symmetry.central[*other] && !self.taken.contains(other))
+            .filter(|other| self.off(node, *other) <= limit)
             .collect()
+    }
+
+    /// Distance of `other` from the position of the image of `node` \[m\].
+    fn off(&self, node: usize, other: usize) -> f64 {
+        let nodes = self.symmetry.system.nodes();
+        let center = self.symmetry.center;
+        let position = center + self.turn * (nodes[node].position - center);
+        (nodes[other].position - position).norm()
     }
 }

@@ -65,8 +65,15 @@ fn reason(model: &Model, count: usize, why: &Unequal) -> String {
     let label = |node: usize| &model.system.nodes()[node].label;
     let degrees = short_number(360.0 / count as f64, 6);
     let why = match why {
-        Unequal::NoImage(node) => format!(
-            "no node is where node \"{}\" would be after a turn of {degrees} deg about the axis",
+        Unequal::NoImage { node, nearest } => format!(
+            "no node is where node \"{}\" would be after a turn of {degrees} deg about the axis; the \
+             nearest is {} m away",
+            label(*node),
+            short_number(*nearest, 3)
+        ),
+        Unequal::Connected(node) => format!(
+            "node \"{}\" is connected with others in another way than the node {degrees} deg on around \
+             the axis",
             label(*node)
         ),
         Unequal::Different([a, b]) if a == b => format!(

@@ -84,15 +84,10 @@ impl FrequencyTable {
             Some(_) => format!("the Campbell diagram leaves out {mixed} of {of} modes"),
             None => "there is no Campbell diagram".to_owned(),
         };
+        let have = if mixed == 1 { "mode has" } else { "modes have" };
         Some(format!(
-            "{diagram}: {mixed} {} with the rotation and against it at once, as where stiffness or mass \
-             differ around the axis, and {} several frequencies in the fixed system",
-            if mixed == 1 {
-                "mode moves"
-            } else {
-                "modes move"
-            },
-            if mixed == 1 { "has" } else { "have" },
+            "{diagram}: {mixed} {have} several patterns around the axis at once, as where stiffness or \
+             mass differ around it, and several frequencies in the fixed system"
         ))
     }
 }
