@@ -321,6 +321,55 @@ fn masts_are_central_and_branches_have_their_own_span() {
     }
 }
 
+/// Three arms whose roots, off the axis, are plates on one clamped plate: each has its own span, its
+/// root included, although they are connected beside the axis. A hinge within an arm does not part it.
+#[test]
+fn arms_on_plates_have_their_own_span() {
+    let mut text = SECTION.to_owned();
+    for k in 0..3 {
+        let azimuth = 120.0 * k as f64;
+        let points = [
+            ("r", 0.2),
+            ("m", 0.4),
+            ("t", 0.6),
+            ("h", 0.6),
+            ("u", 1.1),
+            ("v", 1.6),
+        ];
+        for (name, radius) in points {
+            text += &node(&format!("{name}{k}"), at(radius, azimuth), azimuth);
+        }
+        for names in [["r", "m", "t"], ["h", "u", "v"]] {
+            let names = names.map(|name| format!("{name}{k}"));
+            text += &beam_card(&[&names[0], &names[1], &names[2]], "[0, 0, 0]");
+        }
+        text += &format!(
+            "[[hinge]]\nnodes = [\"t{k}\", \"h{k}\"]\naxis = [0, 1, 0]\naxis_in = \"node\"\n\
+             stiffness = 100\n"
+        );
+    }
+    text += "[[clamp]]\nnode = \"r0\"\n[[rigid]]\nnodes = [\"r0\", \"r1\"]\n\
+             [[rigid]]\nnodes = [\"r0\", \"r2\"]\n";
+    let input = read(&format!("{text}[modes]\nspeeds = [0, 100]\ncount = 3\n"));
+    for k in 0..3 {
+        for name in ["r", "m", "t", "h", "u", "v"] {
+            let found = span(&input, &format!("{name}{k}")).unwrap();
+            assert!(
+                (found - at(1.0, 120.0 * k as f64)).norm() < 1e-12,
+                "{name}{k}: {found}"
+            );
+        }
+    }
+    let outcome = modes(&input.model, input.modes.as_ref().unwrap());
+    let names: Vec<_> = outcome
+        .table
+        .branches
+        .iter()
+        .map(|branch| &branch.name)
+        .collect();
+    assert_eq!(names, ["flap 1", "flap 2", "flap 3"]);
+}
+
 /// A wheel of four spokes, whose rim is of four straight beams: equal quarters although they are
 /// connected, each node with the axes of the first quarter, turned.
 #[test]

@@ -1,8 +1,9 @@
 //! Chains of beams, each with the axes of its first node.
 //!
 //! From the roots on, a chain follows the beams and the joints. At a branch it continues along the beam
-//! that leads straight on, and every other beam begins a chain of its own. Nodes without beams, as
-//! bodies at a tip, belong to the chain that holds them.
+//! that leads straight on, and every other beam begins a chain of its own. So does a beam behind a joint
+//! that does not lead straight on, as an arm on the plate that holds another one. Nodes without beams,
+//! as bodies at a tip, belong to the chain that holds them.
 
 use std::collections::VecDeque;
 
@@ -20,6 +21,8 @@ struct Reached {
     chain: usize,
     /// Direction of the last beam on the way.
     along: Option<Vector3<f64>>,
+    /// Whether the way ends with a beam.
+    by_beam: bool,
 }
 
 /// Axes of nodes by the chains that they lie on.
@@ -72,17 +75,44 @@ impl<'a> Chains<'a> {
                     node,
                     chain,
                     along: None,
+                    by_beam: false,
                 });
             }
         }
         while let Some(reached) = queue.pop_front() {
             let links = self.links.of(reached.node).iter();
             let next: Vec<_> = links.filter(|link| self.is_open(link.to)).collect();
-            let straight = straight_on(&next, reached.along);
+            let beams = next.iter().filter_map(|link| Some((link.to, link.span?)));
+            let beams: Vec<_> = beams.collect();
+            let straight = self.straight_on(&beams, &reached);
             for link in next {
                 if self.is_open(link.to) {
-                    queue.push_back(self.step(reached, link, straight == Some(link.to)));
+                    let found = self.step(reached, link, straight == Some(link.to));
+                    if found.chain != reached.chain && !reached.by_beam && beams.len() == 1 {
+                        // The first node of an arm behind a joint.
+                        self.of[reached.node] = Some(found.chain);
+                    }
+                    queue.push_back(found);
                 }
+            }
+        }
+    }
+
+    /// The node to which the chain continues from `reached`: along the only beam after a beam, or else
+    /// along the straightest; the first of its beams if it has none before.
+    fn straight_on(&self, beams: &[(usize, Vector3<f64>)], reached: &Reached) -> Option<usize> {
+        match (beams, reached.along) {
+            ([only], Some(_)) if reached.by_beam => Some(only.0),
+            (_, None) => {
+                let first = beams
+                    .first()
+                    .filter(|_| self.chains[reached.chain].is_none());
+                first.map(|beam| beam.0)
+            }
+            (_, Some(along)) => {
+                let straightness = beams.iter().map(|beam| (beam.1.dot(&along), beam.0));
+                let best = straightness.max_by(|a, b| a.0.total_cmp(&b.0))?;
+                (best.0 >= STRAIGHT).then_some(best.1)
             }
         }
     }
@@ -101,27 +131,12 @@ impl<'a> Chains<'a> {
             node: link.to,
             chain,
             along: link.span.or(from.along),
+            by_beam: link.span.is_some(),
         }
     }
 
     fn begin(&mut self, axes: Option<Matrix3<f64>>) -> usize {
         self.chains.push(axes);
         self.chains.len() - 1
-    }
-}
-
-/// The node to which the chain continues: along the only beam, or at a branch along the straightest; at
-/// the first node along the first.
-fn straight_on(next: &[&Link], along: Option<Vector3<f64>>) -> Option<usize> {
-    let beams = next.iter().filter_map(|link| Some((link.to, link.span?)));
-    let beams: Vec<_> = beams.collect();
-    match (&beams[..], along) {
-        ([], _) => None,
-        ([first], _) | ([first, ..], None) => Some(first.0),
-        (_, Some(along)) => {
-            let straightness = beams.iter().map(|beam| (beam.1.dot(&along), beam.0));
-            let best = straightness.max_by(|a, b| a.0.total_cmp(&b.0))?;
-            (best.0 >= STRAIGHT).then_some(best.1)
-        }
     }
 }
