@@ -33,7 +33,7 @@ const LEGEND: f64 = 70.0;
 const PER_REV_LIMIT: f64 = 1.6;
 /// Frequencies over the largest multiple at the last speed beyond which the critical speeds would be
 /// pressed together at the lower edge; and where modes are then no more drawn.
-const PRESSED: f64 = 8.0;
+const PRESSED: f64 = 5.0;
 const FAR: f64 = 2.0;
 
 /// A fan plot, ready to be saved.
