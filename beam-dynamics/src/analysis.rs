@@ -43,6 +43,7 @@
 //! assert!((height + 0.5 * 9.81 * time * time).abs() < 1e-9);
 //! ```
 
+mod around_the_axis;
 mod averaged;
 mod branches;
 pub mod buckling;

@@ -3,6 +3,7 @@
 pub mod massless;
 pub mod mechanism;
 pub mod redundancy;
+pub mod symmetry;
 
 mod combination;
 mod elimination;

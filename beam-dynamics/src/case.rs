@@ -62,6 +62,18 @@ pub struct BladeNodes {
     pub nodes: Vec<usize>,
 }
 
+/// Arms of a model without blades: parts that only nodes on the axis of rotation connect.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Arms {
+    /// There are not several.
+    #[default]
+    None,
+    /// Equal ones at equal distances around the axis, by azimuth from the first.
+    Equal(Vec<BladeNodes>),
+    /// Several that are not equal, and why not.
+    Unequal(String),
+}
+
 /// A checked model.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -81,6 +93,8 @@ pub struct Model {
     pub beams: Vec<[usize; 3]>,
     /// Blades, in the order of the input.
     pub blades: Vec<BladeNodes>,
+    /// Arms, if there are no blades.
+    pub arms: Arms,
     /// How the nodes move at the start of a run in time, one a node.
     pub initial: Vec<InitialMotion>,
 }
@@ -99,6 +113,16 @@ impl Model {
             gravity_drive: Drive::Constant(1.0),
             beams: Vec::new(),
             blades: Vec::new(),
+            arms: Arms::None,
+        }
+    }
+
+    /// Blades around the axis: the blades or, if there are none and the model turns, equal arms. At rest
+    /// two equal arms may be a wing.
+    pub fn around_the_axis(&self, turns: bool) -> &[BladeNodes] {
+        match &self.arms {
+            Arms::Equal(arms) if turns && self.blades.is_empty() => arms,
+            _ => &self.blades,
         }
     }
 

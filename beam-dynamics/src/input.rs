@@ -43,6 +43,7 @@ mod driven_joint;
 mod drives;
 mod electrodes;
 mod ends;
+mod equal_arms;
 mod formulation;
 mod frames;
 mod heat;
@@ -485,7 +486,7 @@ fn finish(
     let summary = builder.summary(analyses.modes.as_ref(), &measured);
     let remarks = builder.remarks(analyses.buckling.is_some(), analyses.modes.is_some());
     let frame_rotation = builder.hub()?.frame_rotation();
-    let model = builder.model(name, frame_rotation)?;
+    let model = equal_arms::with_arms(builder.model(name, frame_rotation)?, &analyses);
     Some(Input {
         model,
         modes: analyses.modes,

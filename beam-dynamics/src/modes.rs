@@ -18,6 +18,7 @@ mod shaft;
 mod shift;
 mod sorted;
 mod tracking;
+mod undamped;
 mod with_air;
 
 pub use eigen::{EigenProblem, Lowest};

@@ -14,6 +14,7 @@ use crate::modes::{
 use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModePoint};
 use crate::solver::LinearSolver;
 
+use super::around_the_axis::{copies, left_out, rotor};
 use super::branches::Branches;
 use super::deformation::{deformation, folded};
 use super::fewer_modes::why_no_more;
@@ -106,9 +107,7 @@ impl Case<'_> {
         let naming = &self.model.naming;
         mode.point.shares = mode.motion.shares(naming);
         mode.point.lateral = mode.motion.lateral(naming);
-        let of_blades = self
-            .rotor
-            .and_then(|rotor| rotor.whirl(&mode.motion, naming));
+        let of_blades = self.rotor.and_then(|rotor| rotor.whirl(&mode.motion));
         mode.point.whirl = of_blades.or_else(|| shaft_whirl(&mode.motion, naming));
     }
 }
@@ -132,7 +131,8 @@ pub fn modes(model: &Model, settings: &ModesSettings) -> ModesOutcome {
 /// As [`modes`]; `watch` is called after each equilibrium and each set of modes, of which several
 /// are found in parallel.
 pub fn modes_watched(model: &Model, settings: &ModesSettings, watch: Watch<'_>) -> ModesOutcome {
-    let rotor = Rotor::new(&model.blades);
+    let turns = settings.speeds.iter().any(|speed| *speed > 0.0);
+    let rotor = rotor(model, turns);
     let case = &Case {
         model,
         settings,
@@ -155,6 +155,7 @@ pub fn modes_watched(model: &Model, settings: &ModesSettings, watch: Watch<'_>) 
     table.branches = branches.into_table(&table.speeds, settings);
     let unknown = modal_damping::give(&settings.damping, &mut table.branches);
     table.remarks.extend(unknown);
+    table.remarks.extend(left_out(&table, &model.arms));
     ModesOutcome { table, failure }
 }
 
@@ -421,7 +422,7 @@ pub(super) fn modes_about(
     steady: &Equilibrium,
     count: usize,
 ) -> Result<Vec<(ModePoint, ModeMotion)>, Failure> {
-    let rotor = Rotor::new(&model.blades);
+    let rotor = rotor(model, speed > 0.0);
     let case = Case {
         model,
         settings: &ModesSettings::new(vec![speed], count),
@@ -450,7 +451,8 @@ fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
     ModePoint {
         frequency: angular_frequency / TAU,
         damping_ratio: if magnitude > 0.0 {
-            -growth / magnitude
+            // A growth of zero has no sign.
+            0.0 - growth / magnitude
         } else {
             0.0
         },
@@ -461,11 +463,6 @@ fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
         assurance: None,
         shape: None,
     }
-}
-
-/// Modes of one frequency that a model may have: both bending directions of every blade.
-fn copies(model: &Model) -> usize {
-    2 * model.blades.len().max(2)
 }
 
 /// The larger of two, or not a number when one of them is none.

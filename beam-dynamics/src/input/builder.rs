@@ -27,7 +27,7 @@ use crate::elements::bodies::{RigidBody, RigidInertia};
 use crate::elements::joints::{Hinge, clamped, rigid_connection};
 use crate::elements::laws::Law;
 use crate::elements::{Element, EnergyPart, Reading};
-use crate::model::{Drive, Node, Scalar};
+use crate::model::{Node, Scalar};
 
 mod air;
 mod blades;
@@ -449,15 +449,12 @@ impl ModelBuilder {
         let energies = &self.watched_energies;
         let elements = watch::adapt(elements, self.watched, energies, &self.nodes);
         Some(Model {
-            name,
             initial: self.initial,
             beams: self.beams.iter().map(|beam| beam.nodes).collect(),
             blades: self.blades,
-            system: System::new(self.nodes, elements),
             naming,
             frame_rotation,
-            gravity: Vector3::zeros(),
-            gravity_drive: Drive::Constant(1.0),
+            ..Model::new(name, System::new(self.nodes, elements))
         })
     }
 

@@ -172,15 +172,21 @@ impl Hub {
         self.center + self.turn(azimuth) * (position - self.center)
     }
 
-    /// Axes for naming if no blade gives them: x along `span`, projected across the axis, z
-    /// along the axis; if the span is along the axis, the model's axes.
-    pub fn naming_axes(&self, span: &Vector3<f64>) -> Matrix3<f64> {
-        let across = span - self.axis * self.axis.dot(span);
-        if across.norm() < SMALLEST_SINE * span.norm() {
+    /// Axes for naming if no blade gives them, of a span that begins `at` a point: x along the span, y
+    /// in the direction of motion, z = x x y, along the axis if the span is in the plane of rotation; if
+    /// the span is along the axis of rotation itself, the model's axes.
+    pub fn naming_axes(&self, span: &Vector3<f64>, at: &Vector3<f64>) -> Matrix3<f64> {
+        let mut motion = self.axis.cross(span);
+        if motion.norm() < SMALLEST_SINE * span.norm() {
+            motion = self.axis.cross(&(at - self.center));
+        }
+        if motion.norm() == 0.0 {
             return Matrix3::identity();
         }
-        let x = across.normalize();
-        Matrix3::from_columns(&[x, self.axis.cross(&x), self.axis])
+        let x = span.normalize();
+        // The direction of motion is across a span that is nearly along the axis, too.
+        let y = (motion - x * x.dot(&motion)).normalize();
+        Matrix3::from_columns(&[x, y, x.cross(&y)])
     }
 
     /// Axes of a shaft (columns): x along the axis of rotation.
@@ -308,6 +314,15 @@ mod tests {
         assert_eq!(hub.blade_axes(0.0), None);
         let own = Matrix3::from_columns(&[Vector3::y(), -Vector3::z(), -Vector3::x()]);
         assert_eq!(hub.axes(), own);
-        assert_eq!(hub.naming_axes(&Vector3::x()), Matrix3::identity());
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        assert_eq!(hub.naming_axes(&x, &x), Matrix3::identity());
+        // A span along the axis: at y = 1 it moves toward -z.
+        let aside = Matrix3::from_columns(&[x, -z, y]);
+        assert_eq!(hub.naming_axes(&x, &y), aside);
+        // A cone of 60 degrees: flap is across the span.
+        let (s, c) = std::f64::consts::FRAC_PI_3.sin_cos();
+        let coned = hub.naming_axes(&(-x * s + y * c), &y);
+        let expected = Matrix3::from_columns(&[-x * s + y * c, -z, -x * c - y * s]);
+        assert!((coned - expected).amax() < 1e-15);
     }
 }

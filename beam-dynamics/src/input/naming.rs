@@ -1,18 +1,25 @@
 //! Axes used to name the motion of each node.
 //!
-//! A node of a blade takes the axes of the blade's root, and so does every node connected
-//! with it by beams and joints. If no blade is connected, the span is the section axis x at
-//! the clamped node of the connected beams, or else at their first node.
+//! A node of a blade takes the axes of the blade's root, and so does every node connected with it, of
+//! several blades with the nearest. A node on the axis of rotation is central, as the nodes of shafts
+//! and hubs, unless it is the end of a single beam that leads away from the axis: x of its axes is the
+//! axis of rotation. Central nodes separate the parts that they connect.
 //!
-//! A node on the axis of rotation that belongs to no blade, and to no beam across the axis, is
-//! central, as the nodes of shafts and hubs: x of its axes is the axis of rotation.
+//! Other nodes take the axes of the chain of beams that they lie on: its span is the section axis x at
+//! its first node, which is the one at a central node, or else the clamped one, or else the one
+//! nearest to the axis.
 
-use std::collections::BTreeMap;
+use std::collections::VecDeque;
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::builder::ModelBuilder;
 use crate::model::NamingAxes;
+use chains::Chains;
+use links::Links;
+
+mod chains;
+mod links;
 
 /// Part of the size of the model up to which a node is on the axis of rotation.
 const ON_AXIS: f64 = 1e-9;
@@ -20,97 +27,90 @@ const ON_AXIS: f64 = 1e-9;
 impl ModelBuilder {
     /// Axes for naming, one per node; `None` without a hub.
     pub fn naming(&self) -> Option<Vec<NamingAxes>> {
-        let groups = self.connected();
+        let hub = self.hub()?;
+        let links = Links::new(self);
+        let on_axis = self.on_axis()?;
+        let central = links.central(&on_axis);
+        let of_blades = self.axes_of_blades(&links, &central);
+        let outside: Vec<_> = central
+            .iter()
+            .zip(&of_blades)
+            .map(|(central, of_blade)| *central || of_blade.is_some())
+            .collect();
+        let axes_of =
+            |span: &Vector3<f64>, node: usize| hub.naming_axes(span, &self.nodes()[node].position);
+        let mut chains = Chains::new(&links, &outside, &axes_of);
+        let is_at_center = |node: usize| {
+            let mut links = links.of(node).iter();
+            on_axis[node] || links.any(|link| central[link.to])
+        };
+        let nodes = 0..self.nodes().len();
+        chains.follow(&nodes.filter(|node| is_at_center(*node)).collect::<Vec<_>>());
+        for node in self.clamped() {
+            chains.follow(&[node]);
+        }
+        for node in self.outward() {
+            chains.follow(&[node]);
+        }
         let sections = self.sections();
-        let group_axes = self.group_axes(&groups, &sections)?;
-        let central = self.central()?;
-        let along = self.hub()?.shaft_axes();
+        let along = hub.shaft_axes();
         let axes = |node: usize| {
-            if central[node] {
-                NamingAxes {
+            let own = || axes_of(&sections[node].column(0).into_owned(), node);
+            let blade = of_blades[node].or_else(|| chains.axes(node));
+            match central[node] {
+                true => NamingAxes {
                     blade: along,
                     section: along,
                     is_central: true,
-                }
-            } else {
-                NamingAxes {
-                    blade: self.blade_axes(node).unwrap_or(group_axes[&groups[node]]),
+                },
+                false => NamingAxes {
+                    blade: blade.unwrap_or_else(own),
                     section: sections[node],
                     is_central: false,
-                }
+                },
             }
         };
-        Some((0..groups.len()).map(axes).collect())
+        Some((0..self.nodes().len()).map(axes).collect())
     }
 
-    /// Whether each node is on the axis of rotation and belongs neither to a blade nor to a beam
-    /// across the axis; `None` without a hub.
-    fn central(&self) -> Option<Vec<bool>> {
+    /// Whether each node is on the axis of rotation and belongs to no blade; `None` without a hub.
+    fn on_axis(&self) -> Option<Vec<bool>> {
         let hub = self.hub()?;
         let size = self.nodes().iter().map(|node| node.position.norm());
         let near = ON_AXIS * size.fold(0.0, f64::max);
-        let is_free = |node: usize| self.blade_axes(node).is_none();
-        let nodes = self.nodes().iter().enumerate();
-        let mut central: Vec<_> = nodes
-            .map(|(k, node)| is_free(k) && hub.distance(&node.position) <= near)
-            .collect();
-        for beam in self.beams() {
-            let is_along = beam
-                .nodes
-                .iter()
-                .all(|&node| hub.distance(&self.nodes()[node].position) <= near);
-            if !is_along {
-                beam.nodes.iter().for_each(|&node| central[node] = false);
-            }
-        }
-        Some(central)
+        let is_on_axis = |node: usize| {
+            self.blade_axes(node).is_none() && hub.distance(&self.nodes()[node].position) <= near
+        };
+        Some((0..self.nodes().len()).map(is_on_axis).collect())
     }
 
-    /// Blade axes of each group of connected nodes, by its first node.
-    fn group_axes(
-        &self,
-        groups: &[usize],
-        sections: &[Matrix3<f64>],
-    ) -> Option<BTreeMap<usize, Matrix3<f64>>> {
-        let hub = self.hub()?;
-        let mut roots = BTreeMap::new();
-        for node in self.clamped() {
-            roots.entry(groups[node]).or_insert(node);
-        }
-        let mut axes = BTreeMap::new();
-        for (node, &group) in groups.iter().enumerate() {
-            if let Some(of_blade) = self.blade_axes(node) {
-                axes.entry(group).or_insert(of_blade);
-            }
-        }
-        for &group in groups {
-            let root = roots.get(&group).copied().unwrap_or(group);
-            let span = sections[root].column(0).into_owned();
-            axes.entry(group).or_insert_with(|| hub.naming_axes(&span));
-        }
-        Some(axes)
-    }
-
-    /// For each node the first node that is connected with it by beams and joints.
-    fn connected(&self) -> Vec<usize> {
-        let mut group: Vec<usize> = (0..self.nodes().len()).collect();
-        let of_beams = self.beams().iter().map(|beam| beam.nodes.to_vec());
-        let of_joints = self.joints().map(|joint| joint.nodes().to_vec());
-        let links: Vec<_> = of_beams.chain(of_joints).collect();
-        let mut spread = |links: &mut dyn Iterator<Item = &Vec<usize>>| {
-            let mut changed = false;
-            for nodes in links {
-                let least = nodes.iter().map(|&node| group[node]).min().unwrap_or(0);
-                for &node in nodes {
-                    changed |= group[node] != least;
-                    group[node] = least;
+    /// Axes of the nodes of blades, and of the nodes that are connected with them by others than
+    /// `central` ones.
+    fn axes_of_blades(&self, links: &Links, central: &[bool]) -> Vec<Option<Matrix3<f64>>> {
+        let nodes = 0..self.nodes().len();
+        let mut axes: Vec<_> = nodes.map(|node| self.blade_axes(node)).collect();
+        let known = |(node, axes): (usize, &Option<Matrix3<f64>>)| axes.map(|_| node);
+        let mut queue: VecDeque<_> = axes.iter().enumerate().filter_map(known).collect();
+        while let Some(node) = queue.pop_front() {
+            for link in links.of(node) {
+                if axes[link.to].is_none() && !central[link.to] {
+                    axes[link.to] = axes[node];
+                    queue.push_back(link.to);
                 }
             }
-            changed
+        }
+        axes
+    }
+
+    /// All nodes, the nearest to the axis first.
+    fn outward(&self) -> Vec<usize> {
+        let distance = |node: &usize| {
+            let hub = self.hub();
+            hub.map_or(0.0, |hub| hub.distance(&self.nodes()[*node].position))
         };
-        // Forward and back, so that a chain in either order takes one pass.
-        while spread(&mut links.iter()) | spread(&mut links.iter().rev()) {}
-        group
+        let mut nodes: Vec<_> = (0..self.nodes().len()).collect();
+        nodes.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nodes
     }
 
     /// Section axes at each node: the axes of the first beam on it, or its own.

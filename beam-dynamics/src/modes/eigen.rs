@@ -193,6 +193,7 @@ impl<'a> EigenProblem<'a> {
             rest = &rest[copies..];
         }
         pairs.truncate(count);
+        self.clear_round_off(&mut pairs);
         Lowest {
             pairs,
             real: self.confirmed(real),
@@ -206,6 +207,7 @@ impl<'a> EigenProblem<'a> {
     fn lowest_of_crowd(&self, mut pairs: Vec<Eigenpair>, sorted: &Sorted, count: usize) -> Lowest {
         let (mut found, unconfirmed) = self.beyond_the_crowd(count - pairs.len());
         pairs.append(&mut found);
+        self.clear_round_off(&mut pairs);
         let growing = sorted.real.iter().copied().filter(|value| *value > 0.0);
         Lowest {
             pairs,

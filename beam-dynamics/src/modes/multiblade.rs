@@ -1,7 +1,7 @@
 //! Multiblade coordinates: how the blades of a rotor move together.
 //!
-//! With u_k the motion of blade k, in the axes of the blade, psi_k its azimuth and N
-//! equal blades at equal distances,
+//! With u_k the motion of blade k, in axes that are turned with it about the axis, psi_k its azimuth
+//! and N equal blades at equal distances,
 //!
 //! ```text
 //! u_k = sum_h Q_h exp(-i h psi_k)        Q_h = 1/N sum_k u_k exp(i h psi_k)
@@ -21,11 +21,11 @@
 //!
 //! References: [ColemanFeingold1958].
 
-use nalgebra::{Complex, Vector3};
+use nalgebra::{Complex, Matrix3, Vector3};
+use shared_geom::rotation::vector;
 
 use super::ModeMotion;
 use crate::case::BladeNodes;
-use crate::model::NamingAxes;
 use crate::result::Whirl;
 
 /// Distances of the blades in azimuth may differ by this [rad].
@@ -39,12 +39,14 @@ const SIX: usize = 6;
 #[derive(Debug, Clone)]
 pub struct Rotor {
     blades: Vec<BladeNodes>,
+    /// Turn of each blade about the axis, back to the azimuth zero.
+    back: Vec<Matrix3<f64>>,
 }
 
 impl Rotor {
-    /// The rotor of `blades`; `None` for one blade, for blades of different numbers of
-    /// nodes, and for blades at unequal distances.
-    pub fn new(blades: &[BladeNodes]) -> Option<Self> {
+    /// The rotor of `blades` around an axis of unit length; `None` for one blade, for blades of
+    /// different numbers of nodes, and for blades at unequal distances.
+    pub fn new(blades: &[BladeNodes], axis: &Vector3<f64>) -> Option<Self> {
         let first = blades.first()?;
         let count = blades.len();
         let step = std::f64::consts::TAU / count as f64;
@@ -61,6 +63,10 @@ impl Rotor {
             .all(|blade| blade.nodes.len() == first.nodes.len());
         (count > 1 && apart && alike).then(|| Self {
             blades: blades.to_vec(),
+            back: blades
+                .iter()
+                .map(|blade| vector::to_rotation(&(-axis * blade.azimuth)))
+                .collect(),
         })
     }
 
@@ -71,19 +77,18 @@ impl Rotor {
     }
 
     /// The parts of a mode by harmonics.
-    pub(super) fn parts(&self, mode: &ModeMotion, axes: &[NamingAxes]) -> Parts {
+    pub(super) fn parts(&self, mode: &ModeMotion) -> Parts {
         Parts {
-            motion: self.parts_of(&mode.motion, axes),
-            momentum: self.parts_of(&mode.momentum, axes),
+            motion: self.parts_of(&mode.motion),
+            momentum: self.parts_of(&mode.momentum),
         }
     }
 
-    /// `N Q_h` for each harmonic: six entries a node of a blade, in the axes of the blade.
-    fn parts_of(&self, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Vec<Complex<f64>>> {
-        let turned: Vec<_> = self
-            .blades
-            .iter()
-            .map(|b| in_blade(b, values, axes))
+    /// `N Q_h` for each harmonic: six entries a node of a blade, turned with the blade.
+    fn parts_of(&self, values: &[Complex<f64>]) -> Vec<Vec<Complex<f64>>> {
+        let blades = self.blades.iter().zip(&self.back);
+        let turned: Vec<_> = blades
+            .map(|(blade, back)| turned(blade, values, back))
             .collect();
         let part = |h: i32| {
             let mut sum = vec![Complex::new(0.0, 0.0); turned.first().map_or(0, Vec::len)];
@@ -106,8 +111,8 @@ impl Rotor {
 
     /// The part that holds most of the energy of the blades, with its share of that: a
     /// hub that moves most of all goes with the blades. `None` where the blades rest.
-    pub fn whirl(&self, motion: &ModeMotion, axes: &[NamingAxes]) -> Option<Whirl> {
-        let parts = self.parts(motion, axes);
+    pub fn whirl(&self, motion: &ModeMotion) -> Option<Whirl> {
+        let parts = self.parts(motion);
         let energies = parts.energies(&parts);
         let total: f64 = energies.iter().map(|energy| energy.re).sum();
         if total <= STILL * motion.product(motion).re {
@@ -145,17 +150,14 @@ impl Parts {
     }
 }
 
-/// The entries of the nodes of a blade in its axes, six a node.
-fn in_blade(blade: &BladeNodes, values: &[Complex<f64>], axes: &[NamingAxes]) -> Vec<Complex<f64>> {
+/// The entries of the nodes of a blade, turned `back` to the azimuth zero, six a node.
+fn turned(blade: &BladeNodes, values: &[Complex<f64>], back: &Matrix3<f64>) -> Vec<Complex<f64>> {
     let mut turned = Vec::with_capacity(SIX * blade.nodes.len());
+    let back = back.map(Complex::from);
     for &node in &blade.nodes {
         for half in [0, 3] {
             let vector = Vector3::from_column_slice(&values[SIX * node + half..][..3]);
-            for axis in 0..3 {
-                let direction = axes[node].blade.column(axis);
-                let terms = direction.iter().zip(&vector).map(|(d, v)| v * *d);
-                turned.push(terms.sum());
-            }
+            turned.extend((back * vector).iter());
         }
     }
     turned

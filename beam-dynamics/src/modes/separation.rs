@@ -99,12 +99,7 @@ fn pure_combinations(
         .iter()
         .map(|m| m.weighted_momentum(axes, [1.0, 2.0, 3.0, 4.0], &nodes));
     let momenta: Vec<_> = momenta.collect();
-    let parts = rotor.map(|rotor| {
-        modes
-            .iter()
-            .map(|m| rotor.parts(m, axes))
-            .collect::<Vec<_>>()
-    });
+    let parts = rotor.map(|rotor| modes.iter().map(|m| rotor.parts(m)).collect::<Vec<_>>());
     let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
     let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
         let kinds = modes[i].along(&momenta[j]);

@@ -4,6 +4,7 @@ use shared_geom::figure::{Color, Drawing, Figure, WIDTH};
 
 use super::text::DAMPED;
 use crate::case::{FrequencyUnit, Words};
+use crate::input::short_number;
 use crate::result::{CriticalSpeed, FixedTable, FrequencyTable, Measured, ModeKind};
 
 mod axes;
@@ -15,10 +16,12 @@ mod groups;
 mod labels;
 mod legend;
 mod looks;
+mod marked;
 mod per_rev;
 
 use boxes::Obstacles;
 use groups::{Group, groups};
+use marked::{MARKED, Marked};
 
 /// Width and height, without the damping \[figure pixels\].
 const SIZE: (u32, u32) = (WIDTH, 1250);
@@ -28,8 +31,10 @@ const DAMPING: u32 = 480;
 const LEGEND: f64 = 70.0;
 /// Largest frequency per revolution that is drawn, over the largest at the last speed.
 const PER_REV_LIMIT: f64 = 1.6;
-/// Critical speeds of a rotor above which only the ones at the multiples b and 2b are marked.
-const MOST_MARKS: usize = 30;
+/// Frequencies over the largest multiple at the last speed beyond which the critical speeds would be
+/// pressed together at the lower edge; and where modes are then no more drawn.
+const PRESSED: f64 = 5.0;
+const FAR: f64 = 2.0;
 
 /// A fan plot, ready to be saved.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +54,10 @@ pub struct FanPlot {
     measured: Vec<[f64; 2]>,
     /// Critical speeds and frequencies.
     critical: Vec<[f64; 2]>,
+    /// Which critical speeds are marked, as text.
+    marked: String,
+    /// Remark on modes far above the multiples of the speed, which are not drawn.
+    above: Option<String>,
     /// Patterns of lines with their meaning; none where they only distinguish modes.
     patterns: Vec<(usize, String)>,
 }
@@ -92,6 +101,7 @@ impl FanPlot {
             })
             .collect();
         plot.mark(&table.critical_of_blade(&table.harmonics()));
+        plot.marked = MARKED.to_owned();
         plot.cut();
         (plot.speeds.len() > 1 && !plot.curves.is_empty()).then_some(plot)
     }
@@ -103,8 +113,11 @@ impl FanPlot {
         plot.multiples = Some(table.harmonics());
         plot.patterns = fixed::patterns(fixed, table);
         plot.curves = fixed::curves(fixed, table);
-        plot.mark(&marked(table, &fixed.critical));
+        let marked = Marked::new(table, &fixed.critical);
+        plot.mark(&marked.speeds);
+        plot.marked = marked.text;
         plot.cut();
+        plot.leave_out_far(&table.harmonics());
         plot
     }
 
@@ -131,6 +144,8 @@ impl FanPlot {
             curves: Vec::new(),
             measured: Vec::new(),
             critical: Vec::new(),
+            marked: String::new(),
+            above: None,
             patterns: Vec::new(),
         }
     }
@@ -151,19 +166,49 @@ impl FanPlot {
     }
 }
 
-/// The critical speeds that are marked: all, or of many at multiples that the file did not choose the
-/// speeds at which loads of b equal blades excite a mode, and those at which a whirl comes to rest.
-fn marked(table: &FrequencyTable, all: &[CriticalSpeed]) -> Vec<CriticalSpeed> {
-    let blades = u32::try_from(table.blades()).unwrap_or(0);
-    let is_chosen = blades < 2 || !table.style.harmonics.is_empty();
-    let orders = [0, blades, 2 * blades];
-    all.iter()
-        .filter(|one| is_chosen || all.len() <= MOST_MARKS || orders.contains(&one.order))
-        .cloned()
-        .collect()
-}
-
 impl FanPlot {
+    /// Leaves out curves that are far above the largest multiple of the last speed at all speeds, if
+    /// they would press the critical speeds together.
+    fn leave_out_far(&mut self, multiples: &[u32]) {
+        let most = f64::from(multiples.iter().copied().max().unwrap_or(0));
+        let last = self.speeds.last().copied().unwrap_or(0.0);
+        let reach = match self.unit {
+            FrequencyUnit::PerRevolution => most,
+            // A speed in rpm is a frequency in 1/min.
+            FrequencyUnit::RadiansPerSecond => most * last,
+            unit => unit.value(most * last / 60.0, 0.0).unwrap_or(0.0),
+        };
+        let values = |curve: &Curve| {
+            curve
+                .frequencies
+                .iter()
+                .flatten()
+                .copied()
+                .collect::<Vec<_>>()
+        };
+        let lowest = |curve: &Curve| values(curve).into_iter().fold(f64::INFINITY, f64::min);
+        let all = self.curves.iter().flat_map(&values);
+        let is_pressed = all.fold(0.0, f64::max) > PRESSED * reach;
+        let is_near = |curve: &Curve| lowest(curve) <= FAR * reach;
+        if !is_pressed || !self.curves.iter().any(is_near) {
+            return;
+        }
+        let far: Vec<_> = self.curves.iter().filter(|c| !is_near(c)).collect();
+        let from = far
+            .iter()
+            .map(|curve| lowest(curve))
+            .fold(f64::INFINITY, f64::min);
+        let lines = if far.len() == 1 { "line" } else { "lines" };
+        let text = format!(
+            "{} {lines} from {} {} on not drawn",
+            far.len(),
+            short_number(from, 3),
+            self.unit.word()
+        );
+        self.above = (!far.is_empty()).then_some(text);
+        self.curves.retain(is_near);
+    }
+
     /// Title of the horizontal axis.
     fn speed_title(&self) -> String {
         format!("rotor speed [{}]", self.unit.speed_word())

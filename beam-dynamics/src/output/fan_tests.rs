@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::output::samples;
+use crate::result::Whirl;
 
 #[test]
 fn one_speed_has_no_plot() {
@@ -224,12 +225,46 @@ fn of_many_critical_speeds_the_ones_of_the_blades_are_marked() {
     };
     let orders = |table: &FrequencyTable, count| {
         let all = critical(count);
-        let marked = marked(table, &all).into_iter().map(|one| one.order);
-        marked.collect::<Vec<_>>()
+        let marked = Marked::new(table, &all);
+        let orders = marked.speeds.into_iter().map(|one| one.order);
+        (orders.collect::<Vec<_>>(), marked.text)
     };
     assert_eq!(table.blades(), 3);
-    assert_eq!(orders(&table, 30).len(), 30);
-    assert_eq!(orders(&table, 40), [0, 3, 6].repeat(4));
+    let (all, text) = orders(&table, 30);
+    assert_eq!((all.len(), text.as_str()), (30, "critical speed"));
+    let text = "critical speed at 3P or 6P, and where a whirl reverses".to_owned();
+    assert_eq!(orders(&table, 40), ([0, 3, 6].repeat(4), text));
     table.style.harmonics = vec![1, 2];
-    assert_eq!(orders(&table, 40).len(), 40);
+    let (all, text) = orders(&table, 40);
+    assert_eq!((all.len(), text.as_str()), (40, "critical speed"));
+}
+
+// 9P at 180 rpm is 27 Hz: a line at 130 Hz is less than five times as high, one at 140 Hz more, and
+// both are beyond twice 27 Hz.
+#[test]
+fn lines_far_above_the_multiples_do_not_press_the_critical_speeds_together() {
+    let drawn = |hertz: f64| {
+        let mut table = samples::waves();
+        let mut other = table.branches[0].clone();
+        other.name = "lag 2 collective".to_owned();
+        for point in other.points.iter_mut().flatten() {
+            point.frequency = hertz;
+            point.whirl = point.whirl.map(|whirl| Whirl {
+                harmonic: 0,
+                ..whirl
+            });
+        }
+        other.harmonic = Some(0);
+        table.branches.push(other);
+        let fixed = FixedTable::new(&table, &table.harmonics()).unwrap();
+        let plot = FanPlot::campbell(&table, &fixed);
+        (plot.curves.len(), samples::texts(&plot))
+    };
+    assert_eq!(drawn(130.0).0, 3);
+    let (curves, text) = drawn(140.0);
+    assert_eq!(curves, 2);
+    assert!(
+        text.contains("\n1 line from 140 Hz on not drawn\n"),
+        "{text}"
+    );
 }

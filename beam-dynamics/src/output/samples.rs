@@ -89,10 +89,6 @@ pub(super) fn small() -> FrequencyTable {
         [0.01, 0.98, 0.01, 0.0],
         [0.0, 0.0, 1.0, 0.0],
     );
-    let mut lag_at_rest = point(22.25, lag, None);
-    if let Some(point) = &mut lag_at_rest {
-        point.damping_ratio = 1e-15;
-    }
     FrequencyTable {
         name: "two speeds".to_owned(),
         speeds: vec![0.0, 600.0 / RPM],
@@ -105,7 +101,7 @@ pub(super) fn small() -> FrequencyTable {
             branch(
                 "lag 1",
                 ModeKind::Lag,
-                vec![lag_at_rest, point(23.333, lag, Some(0.998))],
+                vec![point(22.25, lag, None), point(23.333, lag, Some(0.998))],
             ),
             branch(
                 "torsion 1",

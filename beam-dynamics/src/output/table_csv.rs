@@ -2,7 +2,7 @@
 
 use super::mode_units::Columns;
 use super::rows::number;
-use super::text::{cleared, share};
+use super::text::share;
 use crate::input::short_number;
 use crate::result::{FrequencyTable, ModeKind};
 
@@ -27,7 +27,7 @@ pub fn frequency_csv(table: &FrequencyTable) -> String {
             cells.push((entry + 1).to_string());
             cells.push(branch.name.clone());
             cells.extend(columns.frequency(point.frequency, speed));
-            cells.push(short_number(cleared(point.damping_ratio), 6));
+            cells.push(short_number(point.damping_ratio, 6));
             cells.extend(point.shares.map(share));
             cells.push(
                 point

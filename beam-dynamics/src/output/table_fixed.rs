@@ -3,7 +3,7 @@
 use super::critical_table::critical_text;
 use super::mode_units::Columns;
 use super::rows::{csv_text, number};
-use super::text::{aligned, cleared};
+use super::text::aligned;
 use crate::input::short_number;
 use crate::result::{Direction, FixedPoint, FixedTable, FrequencyTable};
 
@@ -25,7 +25,7 @@ pub fn campbell_csv(table: &FrequencyTable, fixed: &FixedTable) -> String {
             row.push(line.name.clone());
             row.push(point.kind.word_in(table.style.words).to_owned());
             row.extend(columns.frequency(point.frequency(), speed));
-            row.push(short_number(cleared(point.damping_ratio), 6));
+            row.push(short_number(point.damping_ratio, 6));
             row.push(point.direction.map_or("", Direction::word).to_owned());
             rows.push(row);
         }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::mode_units::Columns;
 use super::rows::{csv_text, number};
-use super::text::{cleared, share};
+use super::text::share;
 use crate::case::Words;
 use crate::input::short_number;
 use crate::result::{Direction, FrequencyTable, ModeKind, ModePoint};
@@ -36,8 +36,8 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
             row.push(branch.name.clone());
             row.push(branch.kind_at(point).word_in(words).to_owned());
             row.extend(columns.frequency(point.frequency, speed));
-            row.push(short_number(cleared(point.damping_ratio), 6));
-            row.push(short_number(growth(point), 6));
+            row.push(short_number(point.damping_ratio, 6));
+            row.push(short_number(point.growth, 6));
             row.extend(point.shares.map(share));
             let assurance = point.assurance.map(|mac| format!("{mac:.4}"));
             row.push(assurance.unwrap_or_default());
@@ -46,15 +46,6 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
         }
     }
     csv_text(&heading(columns, ModeKind::Lag.word_in(words)), rows)
-}
-
-/// Growth [1/s], zero where the damping ratio is round-off.
-fn growth(point: &ModePoint) -> f64 {
-    if cleared(point.damping_ratio) == 0.0 {
-        0.0
-    } else {
-        point.growth
-    }
 }
 
 /// Pattern of motion of the blades, its share, and its frequency and direction in the fixed system

@@ -9,14 +9,6 @@ pub(super) const RPM: f64 = 30.0 / PI;
 /// models, far below the damping of any structure [-].
 pub(super) const DAMPED: f64 = 1e-4;
 
-/// Damping ratios up to this are written as zero [-].
-const ROUND_OFF: f64 = 1e-12;
-
-/// A damping ratio, or zero if it is round-off [-].
-pub(super) fn cleared(ratio: f64) -> f64 {
-    if ratio.abs() > ROUND_OFF { ratio } else { 0.0 }
-}
-
 /// A share with four decimals, zero without a sign.
 pub(super) fn share(value: f64) -> String {
     format!("{:.4}", (1e4 * value).round() / 1e4 + 0.0)
@@ -70,7 +62,6 @@ mod tests {
 
     #[test]
     fn round_off_is_zero() {
-        assert_eq!([1e-23, -1e-15, -2e-5].map(cleared), [0.0, 0.0, -2e-5]);
         assert_eq!(
             [-1e-9, 0.99999, 0.12344].map(share),
             ["0.0000", "1.0000", "0.1234"]

@@ -62,6 +62,36 @@ impl FixedTable {
     }
 }
 
+impl FrequencyTable {
+    /// A remark on the modes that the Campbell diagram leaves out because no pattern around the axis
+    /// prevails at any speed; `None` if there are none, or with a single speed.
+    pub fn mixed_whirls(&self) -> Option<String> {
+        let is_mixed = |branch: &&ModeBranch| {
+            let mut whirls = branch
+                .points
+                .iter()
+                .flatten()
+                .filter_map(|point| point.whirl);
+            let is_known = whirls.next().is_some();
+            is_known && line(branch, &self.speeds, self.style.words).is_none()
+        };
+        let mixed = self.branches.iter().filter(is_mixed).count();
+        if mixed == 0 || self.speeds.len() < 2 {
+            return None;
+        }
+        let of = self.branches.len();
+        let diagram = match FixedTable::new(self, &[]) {
+            Some(_) => format!("the Campbell diagram leaves out {mixed} of {of} modes"),
+            None => "there is no Campbell diagram".to_owned(),
+        };
+        let have = if mixed == 1 { "mode has" } else { "modes have" };
+        Some(format!(
+            "{diagram}: {mixed} {have} several patterns around the axis at once, as where stiffness or \
+             mass differ around it, and several frequencies in the fixed system"
+        ))
+    }
+}
+
 impl FixedPoint {
     fn new(point: &ModePoint, whirl: Whirl, kind: ModeKind, speed: f64) -> Self {
         let signed = whirl.signed_in_fixed_system(point.frequency, speed / TAU);
@@ -70,7 +100,7 @@ impl FixedPoint {
             signed,
             direction: whirl.in_fixed_system(point.frequency, speed / TAU).1,
             damping_ratio: if magnitude > 0.0 {
-                -point.growth / magnitude
+                0.0 - point.growth / magnitude
             } else {
                 0.0
             },

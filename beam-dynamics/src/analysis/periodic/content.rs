@@ -105,7 +105,8 @@ impl Observer<'_> {
     }
 
     fn tracks(&self, u: &[Vec<[Motion; 2]>]) -> Vec<Track> {
-        let rotor = self.speed.zip(Rotor::new(&self.model.blades));
+        let axis = &self.model.frame_rotation.axis;
+        let rotor = self.speed.zip(Rotor::new(&self.model.blades, axis));
         let of_blades: Vec<_> = match &rotor {
             Some(_) => self
                 .model

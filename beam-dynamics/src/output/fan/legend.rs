@@ -32,7 +32,10 @@ pub(super) fn legends(plot: &FanPlot) -> [Legend; 2] {
     if !plot.critical.is_empty() {
         let size = curves::diamond_size(plot.critical.len());
         let diamond = Sample::Mark(Mark::OpenDiamond, size, curves::BLACK);
-        lines.add("critical speed", diamond);
+        lines.add(&plot.marked, diamond);
+    }
+    if let Some(text) = &plot.above {
+        lines.add(text, Sample::None);
     }
     [legend, lines]
 }

@@ -3,13 +3,15 @@
 use std::f64::consts::TAU;
 
 use crate::input::short_number;
-use crate::output::text::{aligned, cleared};
+use crate::output::text::aligned;
 use crate::result::{LinearModel, LinearVariable};
 
 /// Eigenvalues in the report, the smallest first.
 const SHOWN: usize = 40;
 /// Digits of numbers.
 const DIGITS: usize = 7;
+/// Damping ratios up to this are written as zero [-].
+const ROUND_OFF: f64 = 1e-12;
 
 /// States, inputs, outputs, gains at rest, and the smallest eigenvalues.
 pub fn linear_text(model: &LinearModel) -> String {
@@ -44,12 +46,18 @@ fn listed(variables: &[LinearVariable]) -> String {
     aligned(&variables.iter().map(row).collect::<Vec<_>>())
 }
 
+/// Damping ratio of an eigenvalue, or zero if it is round-off [-].
+fn ratio(own: &nalgebra::Complex<f64>) -> f64 {
+    let ratio = -own.re / own.norm();
+    if ratio.abs() > ROUND_OFF { ratio } else { 0.0 }
+}
+
 fn eigenvalues(model: &LinearModel) -> String {
     let heading = ["  growth [1/s]", "frequency [Hz]", "damping [-]"];
     let all = model.eigenvalues.iter().filter(|own| own.im >= 0.0);
     let row = |own: &nalgebra::Complex<f64>| {
         let damping = if own.im > 0.0 {
-            short_number(cleared(-own.re / own.norm()), DIGITS)
+            short_number(ratio(own), DIGITS)
         } else {
             String::new()
         };

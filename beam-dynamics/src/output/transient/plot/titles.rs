@@ -29,10 +29,13 @@ const BEYOND: f64 = 2.0 * TEXT;
 /// Title for columns of a unit, as long as the length `space` of the axis allows
 /// \[figure pixels\]: `position y of tip [m]`, `position of tip [m]`, `position [m]`, or by the
 /// unit alone `length [m]`. `meanings` are texts such as `position y of tip`, empty if unknown; the
-/// name of a single one of the columns `names` is the title if its unit does not state the quantity
-/// and its meaning does not fit, as an expression.
+/// name of a single one of the columns `names` is the title if its meaning is unknown, or does not fit,
+/// as an expression, while its unit does not state the quantity.
 pub(super) fn title(names: &[String], meanings: &[String], unit: &str, space: f64) -> String {
     let unit = unit.replace('*', " ");
+    if let ([name], true) = (names, meanings.iter().all(String::is_empty)) {
+        return format!("{name} [{unit}]");
+    }
     let candidates = [
         common(meanings.iter().map(String::as_str)),
         common(meanings.iter().map(|text| without_component(text))),
@@ -110,7 +113,9 @@ mod tests {
         assert_eq!(titles, expected);
         let names = ["count".to_owned()];
         assert_eq!(title(&names, &[String::new()], "-", 1e3), "count [-]");
-        assert_eq!(title(&names, &[], "mm", 1e3), "length [mm]");
+        assert_eq!(title(&names, &[], "mm", 1e3), "count [mm]");
+        let long = ["the way of a point".to_owned()];
+        assert_eq!(title(&names, &long, "mm", 100.0), "length [mm]");
         let expression = ["signal = 0.8*tilt + 0.25*rate".to_owned()];
         assert_eq!(title(&names, &expression, "-", 150.0), "count [-]");
     }
