@@ -46,6 +46,7 @@ mod ends;
 mod formulation;
 mod frames;
 mod heat;
+mod held;
 mod hinge_card;
 mod hub;
 mod hub_support;
