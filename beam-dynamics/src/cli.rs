@@ -6,6 +6,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Parser;
+use shared_geom::command_help::with_near_commands;
 use shared_geom::error::Explain;
 use shared_geom::files::OutputProblem;
 
@@ -105,7 +106,7 @@ pub fn run(
 }
 
 fn dispatch(arguments: impl IntoIterator<Item = OsString>, terminal: &mut Terminal<'_>) -> u8 {
-    match Arguments::try_parse_from(arguments) {
+    match Arguments::try_parse_from(arguments).map_err(with_near_commands) {
         Ok(arguments) => {
             terminal.set_quiet(arguments.is_quiet());
             run_command(arguments.command, terminal)

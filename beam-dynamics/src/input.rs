@@ -47,6 +47,7 @@ mod equal_arms;
 mod formulation;
 mod frames;
 mod heat;
+mod held;
 mod hinge_card;
 mod hub;
 mod hub_support;

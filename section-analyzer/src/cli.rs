@@ -5,13 +5,13 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
+use shared_geom::command_help::with_near_commands;
 use shared_geom::error::{Diagnostics, Explain};
 use shared_geom::files::{removed_remarks, removed_text};
 use shared_geom::section::{self, SectionProperties};
 use shared_geom::stream::Stream;
 
 use crate::input::{self, Input};
-use crate::output::Figures;
 
 mod analyze;
 mod arguments;
@@ -97,7 +97,7 @@ fn dispatch(
     arguments: impl IntoIterator<Item = OsString>,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let arguments = match Arguments::try_parse_from(arguments) {
+    let arguments = match Arguments::try_parse_from(arguments).map_err(with_near_commands) {
         Ok(arguments) => arguments,
         Err(message) if message.use_stderr() => {
             write!(terminal.err, "{}", message.render())?;
@@ -125,12 +125,8 @@ fn dispatch(
             load,
             out,
             no_figures,
-            svg,
             ..
-        } => {
-            let figures = Figures::requested(no_figures, svg);
-            stress::recover_file(&file, &load, (out, figures), terminal)
-        }
+        } => stress::recover_file(&file, &load, (out, !no_figures), terminal),
         Command::Matrices { file, out, .. } => matrices::analyze_file(&file, out, terminal),
         Command::Convert(arguments) => convert::convert_model(&arguments, terminal),
         Command::Mesh(shape) => generate::write_mesh(&shape, terminal),

@@ -275,7 +275,7 @@ const GIVEN: [&str; 2] = [
 impl Explain for Failure {
     fn help(&self) -> Option<String> {
         let text = match self {
-            Self::NoCells => "give every surface of the mesh a physical group that has a material",
+            Self::NoCells => "put every cell of the mesh in a group that has a material",
             Self::CellWithoutArea { .. } => {
                 "list the nodes of the cell counterclockwise, and move mid-side nodes near the middle of their side"
             }

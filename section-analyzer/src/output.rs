@@ -88,7 +88,7 @@ pub use record::AnalysisRecord;
 pub use report::{checks, failure_report, input_report, report};
 pub use report_page::{Remark, ReportPage};
 pub use restrained::constants_csv;
-pub use results::{Figures, ResultWriter};
+pub use results::ResultWriter;
 pub use section_picture::{MaterialPicture, PlyPicture, SectionPicture};
 pub use sensitivity::{sensitivity_json, sensitivity_table};
 pub use span::{

@@ -4,8 +4,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Command;
+use clap::error::{ContextKind, ContextValue};
 pub use clap_complete::Shell;
 
+use crate::error::nearest_name;
 use crate::files::{OutputProblem, make_folder, write_text};
 
 /// A manual page.
@@ -24,6 +26,30 @@ pub fn completions(mut command: Command, shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, name, &mut script);
     script
+}
+
+/// The error of an unknown command, of whose tips the near commands are left, the nearest first; other
+/// errors as they are.
+pub fn with_near_commands(mut error: clap::Error) -> clap::Error {
+    let Some(ContextValue::String(found)) = error.get(ContextKind::InvalidSubcommand) else {
+        return error;
+    };
+    let found = found.clone();
+    if let Some(ContextValue::Strings(mut names)) = error.remove(ContextKind::SuggestedSubcommand) {
+        let mut near = Vec::new();
+        while let Some(name) = nearest_name(&found, names.iter().map(String::as_str)) {
+            let name = name.to_owned();
+            names.retain(|other| *other != name);
+            near.push(name);
+        }
+        if !near.is_empty() {
+            error.insert(
+                ContextKind::SuggestedSubcommand,
+                ContextValue::Strings(near),
+            );
+        }
+    }
+    error
 }
 
 /// The pages of the program and of all its commands; `source` is its name and version.
@@ -84,5 +110,24 @@ mod tests {
         assert!(written.iter().all(|file| file.exists()));
         let script = String::from_utf8(completions(program(), Shell::Bash)).unwrap();
         assert!(script.contains("engine") && script.contains("run"));
+    }
+
+    /// The library proposes `manual` for `analyse`, and before `analyze`.
+    #[test]
+    fn only_near_commands_are_proposed() {
+        let tip = |known: &[&'static str], found: &str| {
+            let commands = known.iter().map(|name| Command::new(*name));
+            let program = Command::new("engine").subcommands(commands);
+            let error = program.try_get_matches_from(["engine", found]).unwrap_err();
+            let shown = with_near_commands(error).render().to_string();
+            let tip = shown
+                .lines()
+                .find(|line| line.contains("tip:"))
+                .unwrap_or_default();
+            tip.trim().to_owned()
+        };
+        let proposed = "tip: a similar subcommand exists: 'analyze'";
+        assert_eq!(tip(&["manual", "analyze"], "analyse"), proposed);
+        assert_eq!(tip(&["manual", "modes"], "analyse"), "");
     }
 }

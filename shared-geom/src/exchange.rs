@@ -51,7 +51,7 @@ pub use crate::blade::Reading;
 pub use frame::Convention;
 pub use header::Header;
 pub use problem::ExchangeProblem;
-pub use windio::{fields as windio_fields, length_remark, reference_line};
+pub use windio::{WINDIO_PART, fields as windio_fields, length_remark, reference_line};
 
 /// Number of problems of a blade that are reported one by one.
 const PROBLEMS_SHOWN: usize = 4;

@@ -1,7 +1,8 @@
 //! Figures for reports: functions shared by both programs.
 //!
 //! A figure is anything that implements [`Figure`]. It is recorded once, as a [`Drawing`], which
-//! is saved as PNG or SVG by the ending of the file's name. Lengths are figure pixels: a figure
+//! is saved as PNG or SVG by the ending of the file's name. Fields of many cells are images in an
+//! SVG, with texts, axes and curves around them as elements. Lengths are figure pixels: a figure
 //! [`WIDTH`] pixels wide is meant for the width of a text page, where [`TEXT`] pixels are the
 //! size of the page's own letters. PNG files are drawn twice as large and averaged, so that edges
 //! are not jagged.
@@ -11,6 +12,7 @@ use std::path::Path;
 use crate::error::Explain;
 
 mod axes;
+mod bitmap;
 mod color;
 mod drawing;
 mod legend;

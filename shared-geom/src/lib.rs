@@ -27,6 +27,7 @@ pub mod run_lock;
 pub mod section;
 pub mod spline;
 pub mod stream;
+pub mod table;
 pub mod units;
 pub mod vtk;
 pub mod wrench;

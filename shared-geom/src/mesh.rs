@@ -24,8 +24,10 @@ use nalgebra::Vector3;
 use crate::lagrange::{self, LineValues, ShapeValues};
 use crate::quadrature::{self, PlanePoint};
 
+mod group_kind;
 mod groups;
 
+pub use group_kind::{GroupForm, GroupKind};
 pub use groups::{GroupSet, PhysicalGroup};
 
 /// Shape of a plane cell, with its number of nodes.
@@ -369,6 +371,8 @@ pub struct Mesh {
     /// Physical groups: the named ones in the order of the file, then those
     /// that are used without a name.
     pub groups: Vec<PhysicalGroup>,
+    /// The form in which the file has the groups.
+    pub group_form: GroupForm,
 }
 
 impl Mesh {

@@ -18,6 +18,7 @@ use crate::error::{Explain, nearest_name};
 
 mod dimension;
 mod read;
+mod separators;
 
 pub use dimension::Dimension;
 pub use read::parse;
@@ -191,7 +192,8 @@ impl Explain for UnitProblem {
     fn help(&self) -> Option<String> {
         match self {
             Self::Unknown { found, expected } => Some(help_with_unknown(found, *expected)),
-            Self::Malformed { .. } | Self::Quantity { .. } => None,
+            Self::Malformed { .. } => None,
+            Self::Quantity { found, .. } => separators::without_separators(found),
             Self::Dimension {
                 expected: Dimension::CURVATURE,
                 ..

@@ -79,7 +79,7 @@ impl Case {
     /// Deflection of the tip toward the suction side \[m\].
     fn deflection(&self, name: &str) -> f64 {
         let file = format!("{name}.displacements.csv");
-        let values = self.column(&file, "displacement z [m]");
+        let values = self.column(&file, "displacement_z [m]");
         values.last().unwrap().parse().unwrap()
     }
 }

@@ -15,6 +15,9 @@ use crate::model::State;
 /// Rotation between the middle and an end of an element beyond which it is reported
 /// \[rad\]: distances are then short by 1.4e-3.
 const FAR: f64 = FRAC_PI_4;
+/// Relative difference of a rotation from [`FAR`] that is round-off, as of elements that all turn by
+/// exactly this angle [-].
+const ROUND_OFF: f64 = 1e-6;
 /// The rotation recommended \[rad\]: distances are then short by 9e-5.
 const GOOD: f64 = 0.5 * FRAC_PI_4;
 
@@ -43,18 +46,16 @@ fn straining(sections: &[SectionState], when: &str) -> Option<String> {
 
 fn bending(sections: &[SectionState], when: &str) -> Option<String> {
     let worst = sections.iter().max_by(|a, b| a.turn.total_cmp(&b.turn))?;
-    let far: Vec<_> = sections
-        .iter()
-        .filter(|section| section.turn > FAR)
-        .collect();
-    (worst.turn > FAR).then(|| {
+    let is_far = |section: &&SectionState| section.turn > FAR * (1.0 + ROUND_OFF);
+    let far = sections.iter().filter(is_far).count();
+    (far > 0).then(|| {
         format!(
             "{when} beam \"{}\" turns by {:.0} deg from end to end, and {} of {} elements by more \
              than {:.0} deg: positions are off by about {:.1e} of the length of an element; use {:.0} \
              times as many elements there",
             worst.beam,
             2.0 * worst.turn.to_degrees(),
-            far.len().div_ceil(2),
+            far.div_ceil(2),
             sections.len() / 2,
             2.0 * FAR.to_degrees(),
             worst.turn.powi(4) / 270.0,
@@ -106,5 +107,8 @@ mod tests {
         assert!(bent.starts_with("there beam \"b\" turns by 92 deg from end to end, and 1 of 1"));
         assert!(strained.starts_with("there the line of beam \"b\" is strained by 12 %"));
         assert_eq!(deformation(&[], ""), [None, None]);
+        // Elements of a ring, all with the same angle up to round-off.
+        let ring = [1.0, 1.0 + 1e-9, 1.0 - 1e-9].map(|part| section(0.0, part * FAR));
+        assert_eq!(deformation(&ring, ""), [None, None]);
     }
 }

@@ -184,6 +184,9 @@ fn prepare(arguments: &ConvertArguments) -> Result<(String, Vec<(PathBuf, String
         None => {
             let writing = exchange::write(&reading.blade, format, &name_of(to));
             let Writing { files, lost } = writing.map_err(ConvertProblem::from)?;
+            if format == Format::WindIo2 {
+                reading.remarks.push(exchange::WINDIO_PART.join(" "));
+            }
             (placed(files, to, format), lost, format.title().to_owned())
         }
     };

@@ -16,6 +16,7 @@ use super::driven_joint::DrivenJoint;
 use super::drives;
 use super::formulation::Inertia;
 use super::frames::Frames;
+use super::held::HeldTwice;
 use super::hinge_card::HingeCard;
 use super::hub::Hub;
 use super::problem::InputProblem;
@@ -340,9 +341,8 @@ impl ModelBuilder {
     /// Clamps a node; a node that is clamped already is noted under `key`.
     pub fn add_clamp(&mut self, node: usize, table: &Table<'_>, key: &str) {
         if let Some(&line) = self.clamps.get(&node) {
-            let line = table.document().line_words(line);
-            let (kind, name) = ("clamp of node", self.nodes[node].label.clone());
-            table.note(key, &InputProblem::DoubledName { kind, name, line });
+            let label = &self.nodes[node].label;
+            table.note(key, &HeldTwice::new(label, line, table.document()));
             self.broken = true;
             return;
         }

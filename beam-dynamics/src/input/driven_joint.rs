@@ -39,7 +39,7 @@ impl DrivenJoint {
     }
 }
 
-/// What modes show of driven joints.
+/// Remarks on modes with driven joints.
 pub(super) fn remarks(joints: &[DrivenJoint]) -> Vec<String> {
     let mut positions = Vec::new();
     let mut speeds = Vec::new();

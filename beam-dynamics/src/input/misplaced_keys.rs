@@ -1,10 +1,14 @@
 //! Keys in the wrong table or by another name, and the right ones.
 
 /// Keys of other cards that are written at the top of a file by mistake.
-pub(super) const OF_FILE: [(&str, &str); 28] = [
+pub(super) const OF_FILE: [(&str, &str); 32] = [
     ("duration", "\"to\" in [transient]"),
     ("dt", "\"step\" in [transient]"),
-    ("rpm", "\"speeds\" in [modes]"),
+    ("rpm", SPEEDS),
+    ("omega", SPEEDS),
+    ("rotation_speed", SPEEDS),
+    ("rotor_speed", SPEEDS),
+    ("speed", SPEEDS),
     ("mode", "[modes]"),
     ("statics", "[static]"),
     ("column", "[[output.column]]"),

@@ -1,9 +1,10 @@
 //! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
-use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, Quantities, Quantity, Table as OneTable,
 };
+use shared_geom::document::{Item, Table};
+use shared_geom::error::Explain;
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -52,6 +53,24 @@ const MOST_SPEEDS: usize = 10_000;
 /// Modes of one run: more than any model that can be solved here.
 const MOST_MODES: usize = 10_000;
 
+/// A range of rotor speeds as text.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("\"speeds\" is \"{found}\", expected a list of rotation speeds, or a table")]
+struct RangeAsText {
+    found: String,
+    /// First and last number.
+    ends: [String; 2],
+}
+
+impl Explain for RangeAsText {
+    fn help(&self) -> Option<String> {
+        let [from, to] = &self.ends;
+        Some(format!(
+            "write speeds = {{ from = {from}, to = {to}, steps = 5 }}"
+        ))
+    }
+}
+
 /// Reads `[modes]`.
 pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
     let table = root.require_table("modes", "the rotor speeds: [modes] with \"speeds\"")?;
@@ -74,12 +93,30 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
+    let item = table.item(&SPEEDS);
+    let text = item.as_ref().and_then(Item::text).unwrap_or_default();
+    if let Some(ends) = ends(text) {
+        let (found, ends) = (text.to_owned(), ends.map(str::to_owned));
+        table.note(&SPEEDS, &RangeAsText { found, ends });
+        return None;
+    }
     let speeds = if table.is_table(&SPEEDS) {
         range(&table.table(&SPEEDS)?)
     } else {
         table.get(&SPEEDS)
     };
     ascending(table, speeds?)
+}
+
+/// The numbers at the ends of a range as text, such as `0-8` or `0:8`.
+fn ends(text: &str) -> Option<[&str; 2]> {
+    let separated = ["..", "-", ":", " to "]
+        .into_iter()
+        .find_map(|sign| text.split_once(sign));
+    let (from, to) = separated?;
+    let ends = [from.trim(), to.trim()];
+    let is_number = |end: &&str| end.parse::<f64>().is_ok_and(|number| number >= 0.0);
+    ends.iter().all(is_number).then_some(ends)
 }
 
 /// `steps` speeds at equal distances, both ends included.

@@ -291,7 +291,7 @@ fn doubled_names_are_reported_with_the_first_line() {
     let doubled = "node \"root\" is already defined on line 15, expected one of this name";
     expect(&cards, "name = \"mid\"", "name = \"root\"", doubled);
     let second = format!("{BEAM}[[clamp]]\nnode = \"root\"\n{MODES}");
-    assert!(refused(&second).contains("clamp of node \"root\" is already defined on line 28"));
+    assert!(refused(&second).contains("node \"root\" is held on line 28 already"));
     let blades = format!("{BLADE}{BLADE}{MODES}");
     let shown = refused(&blades);
     assert_eq!(shown.matches("error:").count(), 1, "{shown}");

@@ -138,7 +138,6 @@ impl AirfoilPlot {
             y: range(values, 1e-9),
         };
         axes.draw_grid(drawing);
-        axes.draw_zero(drawing);
         for (index, points) in &pieces {
             if !points.is_empty() {
                 axes.curve(drawing, points, stroke(**index));

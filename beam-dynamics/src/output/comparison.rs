@@ -159,7 +159,7 @@ mod tests {
     fn rows_hold_both_numbers_and_their_difference() {
         let mut table = samples::small();
         let expected = "\
-rotor speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]
+rotor_speed [rpm],order,name,measured [Hz],computed [Hz],difference [Hz],difference [%]
 0,1,flap 1,1.5,1.4,-0.1,-6.66667
 600,2,torsion 1,99,99.5,0.5,0.505051
 ";

@@ -101,7 +101,7 @@ rotor speed [rpm]      Hz   n    mode
         );
         let csv = critical_csv(&table, &critical[1..2]);
         let expected = "\
-rotor speed [rpm],harmonic [-],frequency [Hz],name
+rotor_speed [rpm],harmonic [-],frequency [Hz],name
 94.382,2,3.14607,flap 1
 ";
         assert_eq!(csv, expected);

@@ -77,7 +77,7 @@ rotor speed [rpm]  time constant [s]   1/s  kind
 ";
         assert_eq!(decaying_text(&table), expected);
         let expected = "\
-rotor speed [rpm],time constant [s],growth [1/s],kind
+rotor_speed [rpm],time_constant [s],growth [1/s],kind
 0,2,-0.5,lag
 0,0.125,-8,lag
 600,2,-0.5,lag

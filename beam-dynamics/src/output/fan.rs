@@ -289,6 +289,7 @@ impl Figure for FanPlot {
             obstacles.add_disc(axes.position(point), curves::RING);
         }
 
+        axes.draw_grid(drawing);
         per_rev::draw_lines(drawing, &multiples);
         let at_ends = labels::beside_ends(self, &axes, &mut obstacles);
         per_rev::draw_labels(drawing, &axes, &multiples, &mut obstacles);

@@ -1,19 +1,30 @@
 //! Rows of CSV.
 
+use shared_geom::table::column_names;
+
 use crate::input::short_number;
 
 /// Digits of the numbers in tables for programs: enough to compare two runs.
 const DIGITS: usize = 10;
 
-/// The rows as CSV below `heading`; values that contain a comma or a quote are quoted.
+/// The rows as CSV below `heading`, whose names get the style of all tables; values that contain a
+/// comma or a quote are quoted.
 pub(super) fn csv_text(heading: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    csv_as_named(&column_names(heading), rows)
+}
+
+/// The rows as CSV below `heading`, the names of variables as other files of the result have them.
+pub(super) fn csv_as_named(heading: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::WriterBuilder::new()
+        .flexible(true)
+        .from_writer(Vec::new());
     for row in rows {
-        // Rows of equal length in memory: writing cannot fail.
+        // In memory: writing cannot fail.
         let _ = writer.write_record(&row);
     }
     let rows = writer.into_inner().unwrap_or_default();
-    format!("{heading}\n{}", String::from_utf8_lossy(&rows))
+    let rows = String::from_utf8_lossy(&rows);
+    format!("{heading}\n{rows}")
 }
 
 /// A heading of `names`, of which those with a comma or a quote are quoted.
@@ -49,8 +60,8 @@ mod tests {
             vec!["say \"c\"".to_owned(), number(-0.0)],
         ];
         assert_eq!(
-            csv_text("x,y", rows),
-            "x,y\n\"a, b\",0.5\n\"say \"\"c\"\"\",0\n"
+            csv_text("x,y at tip [m]", rows),
+            "x,y_at_tip [m]\n\"a, b\",0.5\n\"say \"\"c\"\"\",0\n"
         );
     }
 }

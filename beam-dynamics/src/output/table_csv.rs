@@ -1,7 +1,7 @@
 //! The frequency table as CSV: a row for each speed and mode.
 
 use super::mode_units::Columns;
-use super::rows::number;
+use super::rows::{csv_text, number};
 use super::text::share;
 use crate::input::short_number;
 use crate::result::{FrequencyTable, ModeKind};
@@ -15,12 +15,13 @@ use crate::result::{FrequencyTable, ModeKind};
 pub fn frequency_csv(table: &FrequencyTable) -> String {
     let lag = ModeKind::Lag.word_in(table.style.words);
     let columns = Columns(table.style.unit);
-    let mut text = format!(
+    let heading = format!(
         "{},mode,name,{},damping ratio [-],flap [-],{lag} [-],torsion [-],axial [-],\
-         assurance [-]\n",
+         assurance [-]",
         columns.speed_heading(),
         columns.frequency_heading()
     );
+    let mut rows = Vec::new();
     for (index, &speed) in table.speeds.iter().enumerate() {
         for (entry, (branch, point)) in table.at_speed(index).into_iter().enumerate() {
             let mut cells = columns.speed(speed, number);
@@ -34,11 +35,10 @@ pub fn frequency_csv(table: &FrequencyTable) -> String {
                     .assurance
                     .map_or_else(String::new, |mac| format!("{mac:.4}")),
             );
-            text.push_str(&cells.join(","));
-            text.push('\n');
+            rows.push(cells);
         }
     }
-    text
+    csv_text(&heading, rows)
 }
 
 #[cfg(test)]
@@ -50,7 +50,7 @@ mod tests {
     fn a_row_a_speed_and_mode() {
         let text = frequency_csv(&samples::small());
         let expected = "\
-rotor speed [rpm],mode,name,frequency [Hz],frequency [1/rev],damping ratio [-],flap [-],lag [-],torsion [-],axial [-],assurance [-]
+rotor_speed [rpm],mode,name,frequency [Hz],frequency [1/rev],damping_ratio [-],flap [-],lag [-],torsion [-],axial [-],assurance [-]
 0,1,flap 1,1.4,,0,0.9900,0.0100,0.0000,0.0000,
 0,2,lag 1,22.25,,0,0.0100,0.9800,0.0100,0.0000,
 600,1,flap 1,12.5,1.25,0,0.9900,0.0100,0.0000,0.0000,0.9990

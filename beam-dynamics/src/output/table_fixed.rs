@@ -105,7 +105,7 @@ rotor speed [rpm]     Hz               n              mode
         assert_eq!(text, expected);
         let csv = campbell_csv(&table, &fixed);
         let expected = "\
-rotor speed [rpm],name,kind,frequency [Hz],frequency [1/rev],damping ratio [-],direction
+rotor_speed [rpm],name,kind,frequency [Hz],frequency [1/rev],damping_ratio [-],direction
 0,lag 1 progressive,lag,2,,0,forward
 0,lag 1 regressive,lag,2,,0,backward
 60,lag 1 progressive,lag,3,3,0,forward
@@ -115,7 +115,7 @@ rotor speed [rpm],name,kind,frequency [Hz],frequency [1/rev],damping ratio [-],d
 ";
         assert_eq!(csv, expected);
         let expected = "\
-rotor speed [rpm],harmonic [-],frequency [Hz],name
+rotor_speed [rpm],harmonic [-],frequency [Hz],name
 60,1,1,lag 1 regressive
 120,0,0,lag 1 regressive
 ";
@@ -145,7 +145,7 @@ rotor speed [rad/s]  rad/s               n              mode
 ";
         assert_eq!(text, expected);
         let csv = critical_csv(&table, &fixed.critical);
-        let heading = "rotor speed [rpm],rotor speed [rad/s],harmonic [-],frequency [Hz],\
+        let heading = "rotor_speed [rpm],rotor_speed [rad/s],harmonic [-],frequency [Hz],\
                        frequency [rad/s],name\n";
         assert!(csv.starts_with(heading), "{csv}");
         assert!(

@@ -82,7 +82,7 @@ mod tests {
             });
         }
         let expected = "\
-rotor speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping ratio [-],growth [1/s],flap [-],lag [-],torsion [-],axial [-],assurance [-],whirl,whirl share [-],fixed frequency [Hz],fixed direction
+rotor_speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping_ratio [-],growth [1/s],flap [-],lag [-],torsion [-],axial [-],assurance [-],whirl,whirl_share [-],fixed_frequency [Hz],fixed_direction
 0,1,flap 1,flap,1.4,,0,0,0.9900,0.0100,0.0000,0.0000,,,,,
 0,2,lag 1,lag,22.25,,0,0,0.0100,0.9800,0.0100,0.0000,,,,,
 600,1,flap 1,flap,12.5,1.25,0.02,-1.5,0.9900,0.0100,0.0000,0.0000,0.9990,progressive,0.9000,22.5,forward

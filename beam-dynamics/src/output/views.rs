@@ -188,6 +188,7 @@ pub(super) fn draw_view(
     strokes: &[Stroke],
     marks: &[(Vector3<f64>, Color)],
 ) {
+    panel.draw_grid(drawing);
     for stroke in strokes {
         let points: Vec<_> = stroke.points.iter().map(|p| view.map(|i| p[i])).collect();
         let style = figure::Stroke::new(stroke.width, stroke.color);

@@ -29,6 +29,7 @@ mod messages;
 mod netcdf;
 mod performance;
 mod prestress;
+mod remedies;
 mod robust;
 mod rotors;
 mod schema;

@@ -448,7 +448,7 @@ fn near_mistakes_are_reported_with_their_remedy() {
 }
 
 /// A swept, twisted blade under a follower load.
-const SWEPT: &str = "\
+pub const SWEPT: &str = "\
 units = \"SI\"
 [properties.p]
 ea = 1e6

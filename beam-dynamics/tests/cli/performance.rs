@@ -156,7 +156,7 @@ fn the_power_curve_of_a_turbine_is_the_published_one() {
     let curve = Rows::of(&folder, table, "power curve");
     let (pitch, speed) = (
         curve.column("pitch [deg]"),
-        curve.column("rotor speed [rpm]"),
+        curve.column("rotor_speed [rpm]"),
     );
     let pitches = (9..=19).map(|index| pitch[index] - published[index][2]);
     let pitches: Vec<f64> = pitches.collect();
@@ -172,10 +172,10 @@ fn the_power_curve_of_a_turbine_is_the_published_one() {
     assert_eq!(loads.rows.len(), 3 * 4 * 17);
     // a = -u / V, with V + u = W sin(phi).
     let columns = [
-        "axial induction [-]",
-        "induced velocity [m/s]",
-        "flow speed [m/s]",
-        "inflow angle [deg]",
+        "axial_induction [-]",
+        "induced_velocity [m/s]",
+        "flow_speed [m/s]",
+        "inflow_angle [deg]",
     ];
     let [factor, induced, speed, angle] = columns.map(|name| loads.column(name));
     for row in 0..factor.len() {
@@ -242,7 +242,7 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
     ]);
     assert_eq!((run.code, run.err.as_str(), run.out.as_str()), (0, "", ""));
     let found = Rows::of(&folder, "results/tunnel.performance.csv", "points");
-    let (ratio, thrust) = (found.column("advance ratio [-]"), found.column("CT [-]"));
+    let (ratio, thrust) = (found.column("advance_ratio [-]"), found.column("CT [-]"));
     let power = found.column("CP [-]");
     let (mut worst, mut worst_power) = (0.0_f64, 0.0_f64);
     for (index, row) in rows.iter().enumerate() {
@@ -263,7 +263,7 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
     );
     let hover = Rows::of(&folder, "results/tunnel.performance.csv", "static");
     let at = hover
-        .column("rotor speed [rpm]")
+        .column("rotor_speed [rpm]")
         .iter()
         .position(|it| (it - 4000.0).abs() < 1e-6);
     let at = at.unwrap();
@@ -332,7 +332,7 @@ fn a_helicopter_hovers_with_a_figure_of_merit() {
     let run = folder.run(&["performance", "a.rotor.toml"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
     let rows = Rows::of(&folder, "results/a.performance.csv", "sweep 1");
-    let merit = rows.column("figure of merit [-]");
+    let merit = rows.column("figure_of_merit [-]");
     // T^1.5 / (sqrt(2 rho A) P), below one by momentum.
     let (thrust, power) = (rows.column("thrust [N]"), rows.column("power [W]"));
     for (index, merit) in merit.iter().enumerate() {

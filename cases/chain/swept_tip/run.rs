@@ -108,7 +108,7 @@ fn summary(case: &Path) -> Result<String, csv::Error> {
 /// The columns of a comparison file that the summary shows.
 #[derive(serde::Deserialize)]
 struct Comparison {
-    #[serde(rename = "rotor speed [rpm]")]
+    #[serde(rename = "rotor_speed [rpm]")]
     speed: f64,
     order: usize,
     #[serde(rename = "measured [Hz]")]

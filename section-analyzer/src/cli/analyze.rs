@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use super::arguments::AnalyzeArguments;
 use super::{DONE, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::input;
-use crate::output::Figures;
 
 mod alike;
 mod electrodes;
@@ -62,7 +61,7 @@ pub(super) struct Run {
     /// Whether sections are solved even if nothing has changed.
     force: bool,
     /// Which figures are drawn.
-    figures: Figures,
+    figures: bool,
     /// Numbers of the nodes whose coordinates are parameters of the derivatives; `None`
     /// if no derivatives are requested.
     sensitivity: Option<Vec<u64>>,
@@ -77,7 +76,7 @@ impl Run {
     pub fn plain(force: bool) -> Self {
         Self {
             force,
-            figures: Figures::None,
+            figures: false,
             sensitivity: None,
             mesh_error: false,
             open: Vec::new(),
@@ -105,7 +104,7 @@ pub(super) fn analyze_files(
     }
     let run = Run {
         force: arguments.force,
-        figures: Figures::requested(arguments.no_figures, arguments.svg),
+        figures: !arguments.no_figures,
         sensitivity: arguments
             .sensitivity
             .then(|| arguments.sensitivity_nodes.clone()),

@@ -207,9 +207,6 @@ pub(super) enum Command {
         /// Draw no figures; figures of an earlier run are removed
         #[arg(long)]
         no_figures: bool,
-        /// Draw each figure as SVG too, next to its PNG
-        #[arg(long, conflicts_with = "no_figures")]
-        svg: bool,
     },
     #[command(about = first_line(MATRICES), long_about = MATRICES, after_help = MATRICES_EXAMPLE)]
     Matrices {

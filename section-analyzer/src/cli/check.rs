@@ -7,7 +7,7 @@ use super::arguments::CheckArguments;
 use super::figures::draw_section;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed, warnings_of};
 use crate::input::{self, Input};
-use crate::output::{Figures, Outline, OutputFiles, ResultWriter, input_report};
+use crate::output::{Outline, OutputFiles, ResultWriter, input_report};
 
 /// Reads and checks a section file; draws the section if a folder is given.
 pub(super) fn check_file(
@@ -21,7 +21,7 @@ pub(super) fn check_file(
     terminal.warn_if_quiet(file, &warnings_of(&input))?;
     match &arguments.out {
         Some(folder) => {
-            let figures = Figures::requested(arguments.no_figures, arguments.svg);
+            let figures = !arguments.no_figures;
             draw(file, (folder, figures), &input, terminal)
         }
         None => Ok(()),
@@ -31,7 +31,7 @@ pub(super) fn check_file(
 /// Draws mesh and fibers.
 fn draw(
     file: &Path,
-    (folder, figures): (&Path, Figures),
+    (folder, figures): (&Path, bool),
     input: &Input,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {

@@ -13,8 +13,8 @@ use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed, words}
 use crate::failure::Failure;
 use crate::input::{self, Input, InputProblem};
 use crate::output::{
-    Figures, OutputFiles, ResultWriter, distributed_load, failure_indices_of_cells,
-    stress_cells_csv, stress_nodes_csv, stress_plots, stress_points_csv, stress_report, stress_vtu,
+    OutputFiles, ResultWriter, distributed_load, failure_indices_of_cells, stress_cells_csv,
+    stress_nodes_csv, stress_plots, stress_points_csv, stress_report, stress_vtu,
 };
 use crate::recovery::{LoadCase, Recoverer, Recovery};
 use crate::section::DistributedLoad;
@@ -38,7 +38,7 @@ impl Explain for NoLoad {
 pub(super) fn recover_file(
     file: &Path,
     load: &LoadArguments,
-    (out, figures): (Option<PathBuf>, Figures),
+    (out, figures): (Option<PathBuf>, bool),
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let mut input = terminal.read(file)?;

@@ -68,7 +68,7 @@ pub enum ColumnProblem {
     /// Cells that other characters separate.
     #[error("{separator} separate the cells of \"{heading}\", expected commas")]
     Separator {
-        /// What separates them.
+        /// The characters between them.
         separator: &'static str,
         /// The line of names.
         heading: String,

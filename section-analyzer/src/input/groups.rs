@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use shared_geom::document::Document;
-use shared_geom::mesh::{GroupSet, Mesh, PhysicalGroup};
+use shared_geom::mesh::{GroupKind, GroupSet, Mesh, PhysicalGroup};
 
 use super::problem::InputProblem;
 use super::regions::{Written, WrittenRegion};
@@ -22,7 +22,7 @@ fn find(document: &Document, mesh: &Mesh, dimension: u8, written: &Written) -> O
             .iter()
             .filter(|group| group.dimension == dimension);
         let problem = InputProblem::UnknownGroup {
-            kind: word(dimension),
+            kind: kind(mesh, dimension),
             group: written.text.clone(),
             known: of_dimension.map(PhysicalGroup::label).collect(),
             is_other: dimension != POINT
@@ -48,11 +48,11 @@ pub(super) fn label_of_curve(mesh: &Mesh, written: &Written) -> Option<String> {
     named(mesh, CURVE, written).map(|group| mesh.groups[group].label())
 }
 
-fn word(dimension: u8) -> &'static str {
-    match dimension {
-        SURFACE => "surface",
-        CURVE => "curve",
-        _ => "point",
+/// The groups of one dimension, as the file of the mesh has them.
+fn kind(mesh: &Mesh, dimension: u8) -> GroupKind {
+    GroupKind {
+        form: mesh.group_form,
+        dimension,
     }
 }
 
@@ -61,7 +61,7 @@ pub(super) fn curve(document: &Document, mesh: &Mesh, written: &Written) -> Opti
     let group = find(document, mesh, CURVE, written)?;
     let has_lines = mesh.lines.iter().any(|line| line.groups.contains(group));
     if !has_lines {
-        note_empty(document, written, CURVE, "lines");
+        note_empty(document, written, kind(mesh, CURVE), "lines");
     }
     has_lines.then_some(group)
 }
@@ -81,14 +81,14 @@ pub(super) fn point(document: &Document, mesh: &Mesh, written: &Written) -> Opti
     let nodes = points.filter_map(|point| mesh.nodes.get(point.node as usize));
     let tags: Vec<_> = nodes.map(|node| node.tag).collect();
     if tags.is_empty() {
-        note_empty(document, written, POINT, "points");
+        note_empty(document, written, kind(mesh, POINT), "points");
     }
     (!tags.is_empty()).then_some(tags)
 }
 
-fn note_empty(document: &Document, written: &Written, dimension: u8, content: &'static str) {
+fn note_empty(document: &Document, written: &Written, kind: GroupKind, content: &'static str) {
     let problem = InputProblem::EmptyGroup {
-        kind: word(dimension),
+        kind,
         group: written.text.clone(),
         content,
     };
@@ -183,12 +183,13 @@ fn region_of_groups(
             continue;
         };
         if !mesh.cells.iter().any(|cell| cell.groups.contains(group)) {
-            note_empty(document, written, SURFACE, "cells");
+            note_empty(document, written, kind(mesh, SURFACE), "cells");
         }
         match region_of_group[group] {
             None => region_of_group[group] = Some(index),
             Some(first) => {
                 let problem = InputProblem::GroupInTwoRegions {
+                    kind: kind(mesh, SURFACE),
                     group: mesh.groups[group].label(),
                     line: regions[first].line,
                 };
@@ -216,8 +217,11 @@ fn note_groups_without_region(
     }
     for (group, cells) in mesh.groups.iter().zip(lonely) {
         if cells > 0 {
-            let group = group.label();
-            let problem = InputProblem::GroupWithoutRegion { group, cells };
+            let problem = InputProblem::GroupWithoutRegion {
+                kind: kind(mesh, SURFACE),
+                group: group.label(),
+                cells,
+            };
             document.note(mesh_key.line, &problem);
         }
     }
@@ -227,6 +231,7 @@ fn note_cells_without_group(document: &Document, mesh: &Mesh, mesh_key: &Written
     let mut lonely = mesh.cells.iter().filter(|cell| cell.groups.is_empty());
     if let Some(example) = lonely.next() {
         let problem = InputProblem::CellsWithoutGroup {
+            kind: kind(mesh, SURFACE),
             mesh: mesh_key.text.clone(),
             cells: 1 + lonely.count(),
             example: example.tag,

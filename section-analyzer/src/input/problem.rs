@@ -3,6 +3,7 @@
 use shared_geom::error::Explain;
 use shared_geom::figure::tick_label;
 use shared_geom::files::nearest_file;
+use shared_geom::mesh::GroupKind;
 use shared_geom::wrench::COMPONENTS;
 
 use crate::material::{MaterialProblem, StrengthProblem};
@@ -211,10 +212,10 @@ pub enum InputProblem {
         known: Vec<String>,
     },
     /// A group of cells or lines that the mesh does not have.
-    #[error("the mesh has no physical {kind} \"{group}\"")]
+    #[error("the mesh has no {kind} \"{group}\"")]
     UnknownGroup {
-        /// `surface` or `curve`.
-        kind: &'static str,
+        /// The kind of group.
+        kind: GroupKind,
         /// The name found.
         group: String,
         /// The groups of this kind in the mesh.
@@ -223,18 +224,20 @@ pub enum InputProblem {
         is_other: bool,
     },
     /// A group without elements.
-    #[error("physical {kind} \"{group}\" has no {content} in the mesh, expected at least one")]
+    #[error("{kind} \"{group}\" has no {content} in the mesh, expected at least one")]
     EmptyGroup {
-        /// `surface` or `curve`.
-        kind: &'static str,
+        /// The kind of group.
+        kind: GroupKind,
         /// Its name.
         group: String,
         /// `cells` or `lines`.
         content: &'static str,
     },
     /// Two regions for one group.
-    #[error("physical surface \"{group}\" already has a region on line {line}, expected one")]
+    #[error("{kind} \"{group}\" already has a region on line {line}, expected one")]
     GroupInTwoRegions {
+        /// The kind of group.
+        kind: GroupKind,
         /// The group.
         group: String,
         /// Line of its first region.
@@ -259,20 +262,24 @@ pub enum InputProblem {
         example: u64,
     },
     /// Cells without material.
-    #[error("physical surface \"{group}\" ({}) has no region", counted(*.cells, "cell"))]
+    #[error("{kind} \"{group}\" ({}) has no region", counted(*.cells, "cell"))]
     GroupWithoutRegion {
+        /// The kind of group.
+        kind: GroupKind,
         /// The group.
         group: String,
         /// Number of its cells.
         cells: usize,
     },
-    /// Cells in no physical surface.
+    /// Cells in no group.
     #[error(
-        "mesh \"{mesh}\" has {} in no physical surface (cell {example} for example), expected \
+        "mesh \"{mesh}\" has {} in no {kind} (cell {example} for example), expected \
          every cell in one",
         counted(*.cells, "cell")
     )]
     CellsWithoutGroup {
+        /// The kind of group.
+        kind: GroupKind,
         /// The mesh as written in the input.
         mesh: String,
         /// Number of such cells.
@@ -381,11 +388,11 @@ impl Explain for InputProblem {
                 group,
                 known,
                 is_other,
-            } => Some(known_groups(kind, group, known, *is_other)),
+            } => Some(known_groups(*kind, group, known, *is_other)),
             Self::GroupWithoutRegion { group, .. } => Some(format!(
                 "add [[region]] with group = \"{group}\" and its material"
             )),
-            Self::CellsWithoutGroup { mesh, .. } => Some(grouping(mesh).to_owned()),
+            Self::CellsWithoutGroup { kind, .. } => Some(grouping(kind.form).to_owned()),
             Self::CellInTwoRegions { .. } => Some(
                 "a cell has one material: name groups that share no cell, or remove the surface \
                  from one of them"

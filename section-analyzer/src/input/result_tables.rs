@@ -130,7 +130,7 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
     const REMEDY: &str = "name the table NAME.modes.csv of \"beam-dynamics modes\"";
     let table = ColumnTable::read(path, REMEDY)?;
     let [speed, name, frequency] =
-        table.require(["rotor speed [rpm]", "name", "frequency [Hz]"])?;
+        table.require(["rotor_speed [rpm]", "name", "frequency [Hz]"])?;
     let mut modes = ModeTable {
         file: path
             .file_name()

@@ -6,7 +6,7 @@
 use std::fmt;
 
 use shared_geom::error::Explain;
-use shared_geom::mesh::CellKind;
+use shared_geom::mesh::{CellKind, GroupForm};
 
 use super::findings::{CellOverlap, HangingNode, NarrowGap, Seam};
 use super::words::{coordinates, counted, short};
@@ -17,8 +17,10 @@ pub enum MeshProblem {
     /// A mesh that has no triangles or quadrilaterals.
     #[error("the mesh has no triangles or quadrilaterals, expected at least one")]
     NoCells {
-        /// Labels of the physical curves that have lines.
+        /// Labels of the curves that have lines.
         curves: Vec<String>,
+        /// The form in which the file has groups.
+        form: GroupForm,
     },
     /// An element of a mesh made by hand with a node that does not exist.
     #[error("element {element} refers to a node that the mesh does not have")]
@@ -349,7 +351,7 @@ fn plane(normal: [f64; 3], offset: f64) -> String {
 impl Explain for MeshProblem {
     fn help(&self) -> Option<String> {
         let help = match self {
-            Self::NoCells { curves } => return Some(give_cells(curves)),
+            Self::NoCells { curves, form } => return Some(give_cells(curves, *form)),
             Self::OtherPlane { normal, .. } => {
                 let turn = match normal {
                     [1.0, 0.0, 0.0] => "rotate it by -120 degrees about the direction (1, 1, 1)",
@@ -407,7 +409,10 @@ impl Explain for MeshProblem {
 }
 
 /// Remedy for a mesh without cells; `curves` are its curves with lines.
-fn give_cells(curves: &[String]) -> String {
+fn give_cells(curves: &[String], form: GroupForm) -> String {
+    if form != GroupForm::Physical {
+        return "give the surfaces of the section triangles or quadrilaterals".to_owned();
+    }
     if curves.is_empty() {
         return "mesh the surfaces (gmsh -2); if the file has physical groups, gmsh saves only \
                 their contents, so put the surfaces in a physical surface"

@@ -9,8 +9,8 @@ use super::plane::{PlaneMesh, check_plane, check_references};
 use super::problem::MeshProblem;
 use super::seams::Groups;
 
-/// Label of the cells in no physical surface.
-const NO_GROUP: &str = "no physical surface";
+/// Label of the cells in no group.
+const NO_GROUP: &str = "no group";
 
 /// A section mesh: plane, in one part, all cells counterclockwise.
 ///
@@ -29,7 +29,7 @@ pub struct SectionMesh {
     /// The cells.
     pub cells: Vec<SectionCell>,
     /// Labels of the physical surfaces that have cells: name, or tag without one.
-    /// Cells in none come last, under `no physical surface`.
+    /// Cells in none come last, under `no group`.
     pub groups: Vec<String>,
     /// The physical curves that have lines.
     pub curves: Vec<Curve>,
@@ -257,7 +257,10 @@ fn check_whole(mesh: &Mesh, meters_per_unit: f64) -> Result<(), Vec<MeshProblem>
         let has_lines = |group: &usize| mesh.lines.iter().any(|l| l.groups.contains(*group));
         let curves = (0..mesh.groups.len()).filter(has_lines);
         let curves = curves.map(|group| mesh.groups[group].label()).collect();
-        problems.push(MeshProblem::NoCells { curves });
+        problems.push(MeshProblem::NoCells {
+            curves,
+            form: mesh.group_form,
+        });
     }
     let plane = check_references(mesh).and_then(|()| check_plane(mesh));
     problems.extend(plane.err());

@@ -135,7 +135,7 @@ fn groups_are_those_with_cells() {
     assert_eq!(accepted(&mesh).0.groups, ["a", "2"]);
     mesh.cells[0].groups = GroupSet::default();
     let (section, _) = accepted(&mesh);
-    assert_eq!(section.groups, ["2", "no physical surface"]);
+    assert_eq!(section.groups, ["2", "no group"]);
     assert_eq!([section.cells[0].group, section.cells[1].group], [1, 0]);
 }
 

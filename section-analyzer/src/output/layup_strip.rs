@@ -26,8 +26,9 @@ const ROWS: usize = 12;
 const COLUMNS: usize = 2;
 /// Width of a ply of the strip [figure pixels].
 const BOX: f64 = 110.0;
-/// Length of the drawn cut beyond the wall [figure pixels].
-const BEYOND: f64 = 26.0;
+/// Length of the cut beyond the wall, at its first end so that its number is clear of the flags, and
+/// at the other one [figure pixels].
+const BEYOND: [f64; 2] = [48.0, 26.0];
 
 /// A ply of a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,10 +87,10 @@ impl LayupStrip {
         let length = distance(a, b).max(1e-9);
         let along = [0, 1].map(|axis| (b[axis] - a[axis]) / length);
         let at = |from: [f64; 2], by: f64| [0, 1].map(|axis| from[axis] + by * along[axis]);
-        drawing.line(&[at(a, -BEYOND), at(b, BEYOND)], 3.5, INK);
+        drawing.line(&[at(a, -BEYOND[0]), at(b, BEYOND[1])], 3.5, INK);
         let label = Label::new(TEXT).bold().colored(INK);
         let label = label.anchored(Anchor::Middle);
-        drawing.text("1", at(a, -BEYOND - 0.6 * TEXT), label);
+        drawing.text("1", at(a, -BEYOND[0] - 0.6 * TEXT), label);
     }
 
     /// Draws the plies below each other from the first end of the cut, in the colors of their

@@ -17,34 +17,8 @@ pub struct ResultWriter {
     files: OutputFiles,
     earlier: Vec<String>,
     written: Vec<PathBuf>,
-    figures: Figures,
-}
-
-/// The figures to be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Figures {
-    /// None.
-    None,
-    /// Each as PNG.
-    Png,
-    /// Each as PNG and as SVG.
-    PngAndSvg,
-}
-
-impl Figures {
-    /// The figures of a command with the options `--no-figures` and `--svg`.
-    pub fn requested(no_figures: bool, svg: bool) -> Self {
-        match (no_figures, svg) {
-            (true, _) => Self::None,
-            (false, false) => Self::Png,
-            (false, true) => Self::PngAndSvg,
-        }
-    }
-
-    /// Whether any is drawn.
-    pub fn are_drawn(self) -> bool {
-        self != Self::None
-    }
+    /// Whether figures are drawn.
+    figures: bool,
 }
 
 impl ResultWriter {
@@ -58,7 +32,7 @@ impl ResultWriter {
             files,
             earlier,
             written: Vec::new(),
-            figures: Figures::Png,
+            figures: true,
         }
     }
 
@@ -68,18 +42,18 @@ impl ResultWriter {
             files,
             earlier: Vec::new(),
             written: Vec::new(),
-            figures: Figures::Png,
+            figures: true,
         }
     }
 
-    /// The same, with these figures.
-    pub fn with_figures(self, figures: Figures) -> Self {
+    /// The same, with or without figures.
+    pub fn with_figures(self, figures: bool) -> Self {
         Self { figures, ..self }
     }
 
     /// Whether figures are drawn.
     pub fn draws(&self) -> bool {
-        self.figures.are_drawn()
+        self.figures
     }
 
     /// The paths of the section's files.
@@ -95,8 +69,8 @@ impl ResultWriter {
         self.add(file, |file| write_whole(file, text))
     }
 
-    /// Draws a figure, which is made only if figures are drawn; otherwise the figure of an
-    /// earlier run is removed.
+    /// Draws a figure as PNG and, with the ending `svg`, as SVG. It is made only if figures are
+    /// drawn; otherwise the files of an earlier run are removed.
     ///
     /// # Errors
     /// [`OutputProblem`].
@@ -120,9 +94,8 @@ impl ResultWriter {
         let vector = file.with_extension("svg");
         let figure = self.draws().then(figure).flatten();
         let drawing = figure.map(|figure| figure.drawing());
-        let wanted = [true, self.figures == Figures::PngAndSvg];
-        for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
-            match drawing.as_ref().filter(|_| is_wanted) {
+        for file in [file, vector] {
+            match &drawing {
                 Some(drawing) => self.add(file, |file| write_figure(file, drawing))?,
                 // A missing file is ignored.
                 None => drop(std::fs::remove_file(file)),

@@ -1,6 +1,7 @@
 //! Numbers and columns of a text report.
 
 use nalgebra::Matrix6;
+use shared_geom::table::column_names;
 use shared_geom::wrench::COMPONENTS;
 
 /// Entries of a matrix below this fraction of `sqrt(Aii Ajj)` are shown as zero:
@@ -63,12 +64,16 @@ pub(super) fn rows(a: &Matrix6<f64>) -> [[f64; 6]; 6] {
     std::array::from_fn(|i| std::array::from_fn(|j| a[(i, j)]))
 }
 
-/// Rows as CSV; cells with commas or quotes are quoted.
+/// Rows as CSV, the first with the names of the columns, which get the style of all tables; cells with
+/// commas or quotes are quoted.
 pub(super) fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut writer = csv::WriterBuilder::new()
         .flexible(true)
         .from_writer(Vec::new());
-    for row in rows {
+    for (number, mut row) in rows.into_iter().enumerate() {
+        if number == 0 {
+            row = row.iter().map(|name| column_names(name)).collect();
+        }
         // writing to memory cannot fail
         let _ = writer.write_record(&row);
     }

@@ -47,7 +47,8 @@ fn all_files_are_written_and_listed() {
     let report = workplace.read("results/strip.report.txt");
     let list = "\nWritten\n  results/strip.properties.json\n  results/strip.report.txt\n  \
         results/strip.areas.csv\n  results/strip.constants.csv\n  \
-        results/strip.mesh.png\n  results/strip.warping.png\n  \
+        results/strip.mesh.png\n  results/strip.mesh.svg\n  results/strip.warping.png\n  \
+        results/strip.warping.svg\n  \
         results/strip.warping.vtu\n  results/strip.analysis.json\n";
     assert_eq!(run.out, report + list);
     for figure in ["results/strip.mesh.png", "results/strip.warping.png"] {
@@ -366,10 +367,10 @@ fn failed_analysis_ends_with_one_and_keeps_what_there_is() {
     assert!(run.err.contains("\n  help: "), "{}", run.err);
     assert_eq!(
         run.out,
-        "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n\n\
+        "\nWritten\n  results/a.report.txt\n  results/a.mesh.png\n  results/a.mesh.svg\n\n\
          Removed: results of an earlier run\n  results/a.analysis.json\n  results/a.areas.csv\n  \
          results/a.constants.csv\n  results/a.properties.json\n  results/a.warping.png\n  \
-         results/a.warping.vtu\n"
+         results/a.warping.svg\n  results/a.warping.vtu\n"
     );
     assert!(
         workplace

@@ -65,22 +65,27 @@ fn cells_without_set_or_array_are_counted() {
     let abaqus = format!("*node\n{nodes}*element, type=CPS4\n1, 1, 2, 3, 4\n");
     let vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n\
         0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
-    for (file, content, help) in [
+    for (file, content, kind, help) in [
         (
             "two.inp",
             abaqus.as_str(),
+            "set of cells",
             "in Abaqus, put every element of the section in a set",
         ),
         (
             "two.vtk",
             vtk,
+            "group of cells",
             "give every cell a number in an array of whole numbers by cell",
         ),
     ] {
         let workplace = Workplace::with(&[("two.msh", file)], &[]);
         workplace.write(file, content);
         let err = workplace.run(&["check", "a.section.toml"]).err;
-        assert!(err.contains("has 1 cell in no physical surface"), "{err}");
+        assert!(err.contains(&format!("has 1 cell in no {kind}")), "{err}");
+        let unknown =
+            format!("the mesh has no {kind} \"web\"\n  help: the mesh has no {kind}: add");
+        assert!(err.contains(&unknown), "{err}");
         assert!(err.contains(&format!("  help: {help}")), "{err}");
     }
 }

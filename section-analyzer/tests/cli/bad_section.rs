@@ -32,6 +32,7 @@ fn wrong_units_are_reported_with_those_that_fit() {
     Workplace::with(&[("young = 210", "young = \"210,5GPa\"")], &[]).is_refused(&[
         "error: a.section.toml:8: \"young\": \"210,5GPa\" cannot be read, expected a number \
          and a unit, as in \"73.1 GPa\"",
+        "  help: write \"210.5GPa\", with a decimal point",
     ]);
     Workplace::with(&[("fiber_angle = 0", "fiber_angle = \"3 mm\"")], &[]).is_refused(&[
         "error: a.section.toml:19: \"fiber_angle\": \"mm\" measures a length, expected an angle",

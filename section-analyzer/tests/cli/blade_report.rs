@@ -225,7 +225,7 @@ fn names_cannot_break_the_page() {
 }
 
 const MODES: &str =
-    "rotor speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
+    "rotor_speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
 const RESERVES: &str = "eta [-],section,ply,material,reserve_factor [-],failure_index [-],criterion,mode,\
                         instant,y [m],z [m],axial [N],shear_y [N],shear_z [N],torsion [N m],\
                         bending_y [N m],bending_z [N m]\n\
@@ -250,7 +250,7 @@ fn tables_of_other_commands_are_read_or_refused() {
     for (from, to, expected) in [
         ("name", "nam", "a.csv:1: the table has no column \"name\""),
         ("name", "nam", "did you mean \"nam\"?"),
-        ("rotor speed [rpm]", "u", "name the table NAME.modes.csv"),
+        ("rotor_speed [rpm]", "u", "name the table NAME.modes.csv"),
         (
             "1.25",
             "x",
@@ -327,7 +327,7 @@ fn strengths_and_modes_are_shown_if_they_are_given() {
     workplace.write("loads.csv", "eta,bending y [N m]\n0,-3000\n1,0\n");
     let run = workplace.run(&["strength", "b/a.span.csv", "--loads", "loads.csv"]);
     assert_eq!(run.code, 0, "{}", run.err);
-    let table = "rotor speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,2.5\n100,1,flap 1,3.5\n";
+    let table = "rotor_speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,2.5\n100,1,flap 1,3.5\n";
     workplace.write("a.modes.csv", table);
     let with_modes = [&options[..], &["--modes", "a.modes.csv"]].concat();
     assert_eq!(blade(&workplace, &with_modes).code, 0);

@@ -21,11 +21,11 @@ fn wrong_tables_are_reported() {
     ]);
     with("curvature = [1, 0]").is_refused(&[
         "error: a.section.toml:23: \"curvature\" is an array of 2, expected an array of 3, each a \
-         curvature (angle per length)",
+         curvature (angle per length), as in [\"5 deg/m\", 0, 0]",
     ]);
     with("curvature = 1").is_refused(&[
         "error: a.section.toml:23: \"curvature\" is 1, expected an array of 3, each a curvature \
-         (angle per length)",
+         (angle per length), as in [\"5 deg/m\", 0, 0]",
     ]);
     with("curvature = [\"1 1/m\", 0, 0]").is_refused(&[
         "error: a.section.toml:23: \"curvature\": \"1/m\" measures a quantity in m^-1, expected a \

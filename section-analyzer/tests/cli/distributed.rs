@@ -213,13 +213,13 @@ fn loads_without_effect_and_names_beside_wrong_values_are_reported() {
 fn curves_inside_and_curves_of_no_cell_are_reported() {
     let pressed = "[[load.a.traction]]\ncurve = \"edge\"\npressure = 1\n";
     with(pressed, &[("13 1 2 3 1 1 2", "13 1 2 3 1 2 5")]).is_refused(&[
-        "error: a.section.toml:22: physical curve \"edge\" has cells on both sides of line 13, \
+        "error: a.section.toml:22: curve \"edge\" has cells on both sides of line 13, \
          expected a pressure on a surface",
         "  help: the direction of the pressure is undetermined: give \"force\" in section axes, \
          or name a curve on the outline or around a hole",
     ]);
     with(pressed, &[("13 1 2 3 1 1 2", "13 1 2 3 1 1 5")]).is_refused(&[
-        "error: a.section.toml:22: line 13 of physical curve \"edge\", at (0.0005, 0.0005) m, is \
+        "error: a.section.toml:22: line 13 of curve \"edge\", at (0.0005, 0.0005) m, is \
          not a side of a cell, expected a curve along sides of cells",
         "  help: in gmsh, make the physical curve of curves that bound surfaces of the section",
     ]);

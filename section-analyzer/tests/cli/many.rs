@@ -62,7 +62,7 @@ fn each_section_has_a_line_in_the_order_given() {
         assert_eq!(words[5], "1.57000e-2");
     }
     assert_eq!(&lines[5..], ["", "4 sections: 4 solved"]);
-    assert_eq!(results(&workplace).len(), 4 * 8);
+    assert_eq!(results(&workplace).len(), 4 * 10);
 }
 
 #[test]

@@ -2,15 +2,18 @@
 
 use crate::workplace::{SECTION, Workplace};
 
-const FILES: [&str; 8] = [
+const FILES: [&str; 11] = [
     "stress.txt",
     "stress.csv",
     "stress_cells.csv",
     "stress_nodes.csv",
     "stress.vtu",
     "stress_xx.png",
+    "stress_xx.svg",
     "shear.png",
+    "shear.svg",
     "von_mises.png",
+    "von_mises.svg",
 ];
 
 /// A section of 2 x 1 mm under loads of the file; line numbers start at 21.

@@ -198,10 +198,8 @@ fn a_run_without_figures_is_another_run() {
     assert!(!bare.contains(UNCHANGED) && !written.contains(".png"));
     assert!(removed.contains("  results/a.mesh.png\n"), "{bare}");
     assert!(analyze(&workplace, BARE).contains(UNCHANGED));
-    let left: Vec<_> = drawn
-        .iter()
-        .filter(|name| !name.ends_with(".png"))
-        .collect();
+    let is_figure = |name: &String| name.ends_with(".png") || name.ends_with(".svg");
+    let left: Vec<_> = drawn.iter().filter(|name| !is_figure(name)).collect();
     assert_eq!(results(&workplace).iter().collect::<Vec<_>>(), left);
     assert_eq!(workplace.read("results/a.warping.vtu"), field);
     assert_eq!(workplace.read("results/a.properties.json"), properties);
@@ -211,11 +209,11 @@ fn a_run_without_figures_is_another_run() {
     assert_eq!(results(&workplace), drawn);
 }
 
-/// With `--svg` each figure has an SVG too, which a run without the option removes.
+/// Each figure is a PNG and an SVG.
 #[test]
-fn each_figure_is_drawn_as_svg_too_where_it_is_wanted() {
+fn each_figure_is_drawn_in_both_formats() {
     let workplace = Workplace::with(&[], &[]);
-    analyze(&workplace, &["--svg"]);
+    analyze(&workplace, &[]);
     let both = results(&workplace);
     let (png, svg) = (
         both.iter().filter(|name| name.ends_with(".png")),
@@ -225,18 +223,8 @@ fn each_figure_is_drawn_as_svg_too_where_it_is_wanted() {
     let png: Vec<_> = png.map(names).collect();
     assert!(png.len() > 1);
     assert_eq!(png, svg.map(names).collect::<Vec<_>>());
-    assert!(analyze(&workplace, &["--svg"]).contains(UNCHANGED));
     let drawn = workplace.read("results/a.warping.svg");
     assert!(drawn.contains("warping per unit internal force"));
-
-    analyze(&workplace, &[]);
-    assert!(
-        !results(&workplace)
-            .iter()
-            .any(|name| name.ends_with(".svg"))
-    );
-    let run = workplace.run(&["analyze", "a.section.toml", "--svg", "--no-figures"]);
-    assert_eq!(run.code, 2);
 }
 
 /// Without the record of the previous run its figures are not known.
@@ -249,7 +237,8 @@ fn figures_go_without_a_record_too() {
     let workplace = Workplace::with(&[loads], &[]);
     analyze(&workplace, &[]);
     let figures = |names: Vec<String>| {
-        let figures = names.iter().filter(|name| name.ends_with(".png"));
+        let is_figure = |name: &&String| name.ends_with(".png") || name.ends_with(".svg");
+        let figures = names.iter().filter(is_figure);
         figures.count()
     };
     assert!(figures(results(&workplace)) > 3);
@@ -377,14 +366,10 @@ fn a_check_draws_the_requested_figures() {
         assert_eq!((run.code, run.err.as_str()), (0, ""));
         run.out
     };
-    assert!(check(&["--svg"]).ends_with("Written\n  o/a.mesh.png\n  o/a.mesh.svg\n"));
+    assert!(check(&[]).ends_with("Written\n  o/a.mesh.png\n  o/a.mesh.svg\n"));
     assert!(is_there("a.mesh.png") && is_there("a.mesh.svg"));
-    check(&[]);
-    assert!(is_there("a.mesh.png") && !is_there("a.mesh.svg"));
-    let removed = "No problem found\n\nRemoved: results of an earlier run\n  o/a.mesh.png\n";
+    let removed = "No problem found\n\nRemoved: results of an earlier run\n  o/a.mesh.png\n  \
+                   o/a.mesh.svg\n";
     assert!(check(&["--no-figures"]).ends_with(removed));
-    assert!(!is_there("a.mesh.png"));
-    let run = workplace.run(&["check", "a.section.toml", "--svg"]);
-    assert_eq!(run.code, 2);
-    assert!(run.err.contains("--out <DIR>"), "{}", run.err);
+    assert!(!is_there("a.mesh.png") && !is_there("a.mesh.svg"));
 }

@@ -181,7 +181,7 @@ fn a_change_solves_the_sections_that_it_touches() {
 /// only, and writes the bytes of a run that nothing stopped.
 #[test]
 fn a_run_that_was_killed_continues() {
-    let options = ["--count", "6", "--svg", "--format", "beamdyn"];
+    let options = ["--count", "6", "--format", "beamdyn"];
     let whole = workplace(LAYUP);
     let run = blade(&whole, &options);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
@@ -315,10 +315,7 @@ fn an_unknown_place_is_reported_once() {
 #[test]
 fn figures_and_formats_are_written_on_request() {
     let workplace = workplace(LAYUP);
-    let run = blade(
-        &workplace,
-        &["--count", "3", "--svg", "--format", "all", "--quiet"],
-    );
+    let run = blade(&workplace, &["--count", "3", "--format", "all", "--quiet"]);
     assert_eq!((run.code, run.out.as_str()), (0, ""));
     // one line for all stations
     let warned = "warning: eta 0, eta 0.5, eta 0.75 inner, eta 0.75 outer, eta 0.8 inner, eta 0.8 outer, eta 1: walls touch in a \

@@ -343,7 +343,7 @@ fn faces_of_laminae_take_a_pressure() {
     .unwrap_err();
     assert_eq!(
         reported,
-        "error: a.section.toml:36: physical curve \"top\" has cells on both sides of line 13, \
+        "error: a.section.toml:36: curve \"top\" has cells on both sides of line 13, \
          expected a pressure on a surface\n  help: the curve has a laminate: give its face, \
          \"top/outer\""
     );

@@ -81,7 +81,7 @@ fn a_fill_has_no_thickness() {
     assert_eq!(cells[2..5], ["-"; 3], "{report}");
 }
 
-/// What has no effect is refused, with the remedy.
+/// Drops and webs without effect are refused, with the remedy.
 #[test]
 fn drops_and_webs_without_effect_are_refused() {
     let web = "plies = [{";

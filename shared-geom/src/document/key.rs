@@ -343,7 +343,9 @@ impl Value for Vector3<f64> {
 impl<const N: usize> Value for [f64; N] {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         let dimension = key.dimension();
-        let expected = key.expected_or(|| format!("an array of {N}, each {dimension}"));
+        let example = key.example;
+        let other = || format!("an array of {N}, each {dimension}, as in {example}");
+        let expected = key.expected_or(other);
         table.array(key.name, dimension, &expected)
     }
 }

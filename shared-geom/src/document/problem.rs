@@ -202,6 +202,15 @@ fn words(known: &[String]) -> String {
     }
 }
 
+/// The remedy for parameters that depend on each other.
+fn open_cycle(chain: &[String]) -> String {
+    match chain {
+        [name, _] => format!("give \"{name}\" a number, or an expression of other parameters"),
+        [name, ..] => format!("give one of them a number, for example \"{name}\""),
+        [] => String::new(),
+    }
+}
+
 /// The number of further files in a missing folder, as text.
 fn also(others: usize) -> String {
     match others {
@@ -237,6 +246,7 @@ impl Explain for DocumentProblem {
                 .map(|near| format!("did you mean \"{near}\"?"))
                 .or_else(|| (known.len() > MANY).then(|| format!("words: {}", listed(known)))),
             Self::Syntax { help, .. } => help.clone(),
+            Self::Cycle { chain, .. } => Some(open_cycle(chain)),
             Self::Unit { problem, .. } => problem.help(),
             Self::Expression { problem, .. } => problem.help(),
             Self::AbsentFolder(folder) => folder

@@ -44,6 +44,7 @@ mod tests;
 pub use assemble::line as reference_line;
 pub(super) use into::write_into;
 pub use length::length_remark;
+pub use write::PART as WINDIO_PART;
 
 /// Table of the matrices of version 1.
 const VERSION_1: [&str; 3] = ["components", "blade", "elastic_properties_mb"];

@@ -71,7 +71,10 @@ impl Explain for ExpressionProblem {
                 let near = nearest_name(name, known.iter().map(String::as_str));
                 Some(match near {
                     Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!("known names: {}", known.join(", ")),
+                    None => format!(
+                        "known names: {}; [parameters] defines others",
+                        known.join(", ")
+                    ),
                 })
             }
             Self::UnknownFunction { name, .. } => Some(match nearest_name(name, FUNCTIONS) {

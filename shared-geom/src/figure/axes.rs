@@ -13,7 +13,7 @@ pub const SMALL: f64 = 0.8 * TEXT;
 pub const INK: Color = Color(40, 40, 40);
 /// Color of lines in the background.
 pub const GRAY: Color = Color(165, 165, 165);
-/// Color of zero lines and grids.
+/// Color of grids and of the lines at zero.
 pub const LIGHT: Color = Color(220, 220, 220);
 /// Length of a tick, and width of the lines of the frame \[figure pixels\].
 const TICK: f64 = 10.0;
@@ -72,15 +72,8 @@ impl Axes {
         stroke.draw(drawing, &positions);
     }
 
-    /// Draws the line at zero, if zero is within the frame.
-    pub fn draw_zero(&self, drawing: &mut Drawing) {
-        if self.y[0] < 0.0 && self.y[1] > 0.0 {
-            let ends = [[self.x[0], 0.0], [self.x[1], 0.0]];
-            self.curve(drawing, &ends, Stroke::new(FRAME, LIGHT));
-        }
-    }
-
-    /// Draws lines at all ticks, and the upper and the right edge.
+    /// Draws the background of the curves: thin lines at all ticks, and wider ones at zero across
+    /// and up, if zero is within the frame.
     pub fn draw_grid(&self, drawing: &mut Drawing) {
         let Self {
             left,
@@ -98,10 +91,18 @@ impl Axes {
             let [_, y] = self.position([self.x[0], value]);
             drawing.line(&[[left, y], [right, y]], 1.0, LIGHT);
         }
-        drawing.line(&[[left, top], [right, top], [right, bottom]], FRAME, INK);
+        let is_within = |[low, high]: [f64; 2]| low < 0.0 && high > 0.0;
+        let [x, y] = self.position([0.0, 0.0]);
+        let across = [[left, y], [right, y]];
+        let upward = [[x, top], [x, bottom]];
+        for (line, range) in [(across, self.y), (upward, self.x)] {
+            if is_within(range) {
+                drawing.line(&line, FRAME, LIGHT);
+            }
+        }
     }
 
-    /// Draws the left and the lower edge with ticks and titles; without labels and title below
+    /// Draws the frame, after the curves, with ticks and titles at the left and the lower edge; without labels and title below
     /// the lower edge if `across` is `None`, and without a title if it is empty.
     pub fn draw(&self, drawing: &mut Drawing, across: Option<&str>, up: &str) {
         let Self {
@@ -111,7 +112,8 @@ impl Axes {
             bottom,
             ..
         } = *self;
-        drawing.line(&[[left, top], [left, bottom], [right, bottom]], FRAME, INK);
+        let corners = [[left, top], [left, bottom], [right, bottom], [right, top]];
+        drawing.outline(&corners, FRAME, INK);
         let label = Label::new(SMALL).colored(INK);
         let [ticks_across, ticks_up] = self.ticks();
         for (value, text) in ticks_across.labeled() {

@@ -124,7 +124,6 @@ impl Figure for PanelPlot {
                 y: range(values, 0.0),
             };
             axes.draw_grid(drawing);
-            axes.draw_zero(drawing);
             for (index, curve) in panel.curves.iter().enumerate() {
                 draw_curve(drawing, &axes, curve, category(index));
             }

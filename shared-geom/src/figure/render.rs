@@ -15,12 +15,11 @@ use plotters::style::{
 };
 use plotters_backend::{BackendColor, BackendCoord, DrawingBackend, DrawingErrorKind};
 
-use super::FigureProblem;
-use super::color::{Color, WHITE};
-use super::raster;
+use super::color::Color;
 use super::shade::shade;
 use super::shape::{Anchor, Label, Shape};
 use super::sheet::{OVERSAMPLING, Sheet};
+use super::{FigureProblem, bitmap, raster};
 
 /// Name under which the embedded font is registered.
 const FONT: &str = "sans-serif";
@@ -32,6 +31,9 @@ const BASELINES: [f64; 2] = [0.5, 0.76 / 1.24];
 /// Coordinates of the library are whole numbers: an SVG is drawn on a finer grid by this factor
 /// and shown at its nominal size.
 const FINER: u32 = 8;
+/// Pieces between two texts above which they are an image in an SVG, in the pixels of the PNG: a
+/// piece takes about 300 bytes, and fields have some for each cell.
+const MOST_PIECES: usize = 2000;
 
 /// Writes shapes on a white sheet of this size \[figure pixels\] to `path`, as PNG or SVG by its
 /// ending.
@@ -135,13 +137,26 @@ fn unwritable(path: &Path, reason: impl ToString) -> FigureProblem {
 }
 
 fn write_png(path: &Path, size: (u32, u32), shapes: &[Shape]) -> Result<(), FigureProblem> {
+    let write = |pixels: &[u8]| {
+        let file = BufWriter::new(File::create(path)?);
+        bitmap::encode(file, size, pixels, png::ColorType::Rgb)
+    };
+    with_pixels(size, shapes, write)?.map_err(|error| unwritable(path, error))
+}
+
+/// The result of `work` on the pixels of these shapes on a white sheet, rows of red, green, blue.
+fn with_pixels<T>(
+    size: (u32, u32),
+    shapes: &[Shape],
+    work: impl FnOnce(&[u8]) -> T,
+) -> Result<T, FigureProblem> {
     let mut sheet = Sheet::new(size);
     for shape in shapes {
         fill_sheet(&mut sheet, shape)?;
     }
     PIXELS.with_borrow_mut(|pixels| {
         sheet.average(pixels);
-        encode(path, size, pixels).map_err(|error| unwritable(path, error))
+        Ok(work(pixels))
     })
 }
 
@@ -149,24 +164,6 @@ thread_local! {
     /// Pixels of the last figure of this thread: the next one reuses the memory, which
     /// the system would have to clear.
     static PIXELS: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
-}
-
-/// Writes rows of red, green, blue.
-///
-/// Pixels of a figure mostly equal the pixels above or next to them, which one filter
-/// finds without trying all of them.
-fn encode(
-    path: &Path,
-    (width, height): (u32, u32),
-    pixels: &[u8],
-) -> Result<(), png::EncodingError> {
-    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::FilterType::Paeth);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(pixels)?;
-    writer.finish()
 }
 
 /// Draws a shape on the sheet.
@@ -255,27 +252,42 @@ impl DrawingBackend for Sheet {
 
 fn write_svg(path: &Path, size: (u32, u32), shapes: &[Shape]) -> Result<(), FigureProblem> {
     let fine = (size.0 * FINER, size.1 * FINER);
+    // Sharp corners of dense curves have no spikes.
+    let mut text = format!(
+        "<svg width=\"{}\" height=\"{}\" stroke-linejoin=\"round\" viewBox=\"0 0 {} {}\" \
+         xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n",
+        size.0, size.1, fine.0, fine.1
+    );
+    for part in shapes.chunk_by(|one, next| one.is_text() == next.is_text()) {
+        text.push_str(
+            &if part.iter().map(Shape::pieces).sum::<usize>() > MOST_PIECES {
+                let image = with_pixels(size, part, |pixels| bitmap::element(size, pixels, FINER))?;
+                image.map_err(|error| unwritable(path, error))?
+            } else {
+                elements(fine, part)?
+            },
+        );
+    }
+    text.push_str("</svg>\n");
+    std::fs::write(path, text).map_err(|error| unwritable(path, error))
+}
+
+/// The elements of shapes in an SVG of this size [its units].
+fn elements(size: (u32, u32), shapes: &[Shape]) -> Result<String, FigureProblem> {
     let mut text = String::new();
     {
-        let mut backend = SVGBackend::with_string(&mut text, fine);
-        let end = (fine.0 as i32, fine.1 as i32);
-        let white = of_backend(WHITE);
-        backend
-            .draw_rect((0, 0), end, &white, true)
-            .map_err(refused)?;
+        let mut backend = SVGBackend::with_string(&mut text, size);
         for shape in shapes {
             add_to_svg(&mut backend, shape)?;
         }
         backend.present().map_err(refused)?;
     }
-    let drawn = format!("<svg width=\"{}\" height=\"{}\"", fine.0, fine.1);
-    // Sharp corners of dense curves have no spikes.
-    let shown = format!(
-        "<svg width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"",
-        size.0, size.1
-    );
-    let text = text.replacen(&drawn, &shown, 1);
-    std::fs::write(path, text).map_err(|error| unwritable(path, error))
+    // The library writes a whole file: its first and its last line are the element `svg`.
+    let inner = text
+        .split_once(">\n")
+        .and_then(|(_, rest)| rest.rsplit_once("</svg>"));
+    Ok(inner.map_or_else(String::new, |(inner, _)| inner.to_owned()))
 }
 
 /// Draws a shape in an SVG.

@@ -98,3 +98,20 @@ pub(super) enum Shape {
         label: Label,
     },
 }
+
+impl Shape {
+    /// Whether it is a text.
+    pub fn is_text(&self) -> bool {
+        matches!(self, Self::Text { .. })
+    }
+
+    /// Number of polygons and lines that it has in a vector format; zero for a text.
+    pub fn pieces(&self) -> usize {
+        match self {
+            Self::Polygon { .. } | Self::Line { .. } => 1,
+            Self::Region { polygons, .. } => polygons.len(),
+            Self::Values { triangles, .. } => triangles.len(),
+            Self::Text { .. } => 0,
+        }
+    }
+}

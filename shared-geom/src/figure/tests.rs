@@ -91,3 +91,34 @@ fn regions_are_the_same_in_both_formats() {
         assert_eq!(one, two, "{name}");
     }
 }
+
+/// A field of 50 by 50 squares between two texts is one image of an SVG, and a field of 40 by 40 is
+/// not: its squares are elements.
+#[test]
+fn large_fields_are_images_of_an_svg() {
+    let folder = tempfile::tempdir().unwrap();
+    let saved = |count: usize| {
+        let mut drawing = Drawing::new((300, 300));
+        drawing.text("above", [10.0, 10.0], Label::new(10.0));
+        let ends = |k: usize| [20.0 + 5.0 * k as f64, 25.0 + 5.0 * k as f64];
+        for ([left, right], [top, bottom]) in
+            (0..count).flat_map(|i| (0..count).map(move |j| (ends(i), ends(j))))
+        {
+            let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+            drawing.polygon(&corners, Color(200, 0, 0));
+        }
+        drawing.text("below", [10.0, 290.0], Label::new(10.0));
+        drawing.line(&[[10.0, 280.0], [290.0, 280.0]], 2.0, BLACK);
+        let path = folder.path().join("a.svg");
+        drawing.save(&path).unwrap();
+        std::fs::read_to_string(path).unwrap()
+    };
+    let [few, many] = [40, 50].map(saved);
+    let counts = |text: &str| {
+        ["<image ", "<polygon ", "<polyline ", "<text "].map(|tag| text.matches(tag).count())
+    };
+    assert_eq!(counts(&few), [0, 1600, 1601, 2]);
+    assert_eq!(counts(&many), [1, 0, 1, 2]);
+    let image = "<image x=\"160\" y=\"160\" width=\"2000\" height=\"2000\" ";
+    assert!(many.contains(image) && many.ends_with("</svg>\n"));
+}

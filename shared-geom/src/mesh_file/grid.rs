@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::parts::{Parts, Shape};
 use super::problem::{FileProblem, Problems};
-use crate::mesh::{CellKind, LineKind, Mesh};
+use crate::mesh::{CellKind, GroupForm, LineKind, Mesh};
 
 /// The name of the array of groups, whatever others there are; in results of Helicoid, which have
 /// [`TAGS`], the second one.
@@ -103,7 +103,10 @@ impl Grid {
                 .and_then(|nodes| parts.element((cell.line, tag), shape, nodes, set));
             problems.keep(cell.line, added);
         }
-        parts.finish(problems)
+        Mesh {
+            group_form: GroupForm::Values,
+            ..parts.finish(problems)
+        }
     }
 
     /// Whether the points are in a plane `x = constant`, and in no plane `z = constant`.

@@ -12,7 +12,7 @@ use super::parts::{Parts, Shape};
 use super::problem::{FileProblem, Problems, text};
 use super::words::{real, whole};
 use crate::error::Diagnostics;
-use crate::mesh::{CellKind, LineKind, Mesh};
+use crate::mesh::{CellKind, GroupForm, LineKind, Mesh};
 
 /// Families of plane elements: the number of nodes follows in their names.
 const PLANE: [&str; 12] = [
@@ -272,7 +272,8 @@ impl Reader {
             self.problems
                 .push(1, FileProblem::CutOff("the first *NODE"));
         }
-        let mesh = self.parts.finish(&mut self.problems);
+        let mut mesh = self.parts.finish(&mut self.problems);
+        mesh.group_form = GroupForm::Sets;
         self.problems.into_result(file, mesh)
     }
 }

@@ -35,7 +35,7 @@ pub(super) struct Slot {
     pub first: usize,
     /// Their number.
     pub size: usize,
-    /// What they are.
+    /// Their kind.
     pub kind: SlotKind,
     /// Blade, and index of its family; `None` for other parts.
     pub of_blade: Option<(usize, usize)>,

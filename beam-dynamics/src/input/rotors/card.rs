@@ -47,7 +47,7 @@ pub(super) struct Rotor {
     pub shaft: Shaft,
     /// The pitch that analyses without time hold.
     pub held: Option<HeldPitch>,
-    /// What carries the shaft, and the node that holds this.
+    /// Mount of the shaft, and the node that holds it.
     mount: Option<(Mount, Option<String>)>,
     hub: &'static HubKind,
     body: Option<Lump>,
@@ -135,13 +135,13 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     is_sound(&rotor, table).then_some(rotor)
 }
 
-/// Place of a rotor, and what carries it.
+/// Hub frame of a rotor, and its mount.
 struct Placement {
     center: Vector3<f64>,
     axes: Matrix3<f64>,
     /// Node that carries the shaft.
     carrier: Option<String>,
-    /// What carries the shaft, and the node that holds this.
+    /// Mount of the shaft, and the node that holds it.
     mount: Option<(Mount, Option<String>)>,
 }
 
@@ -157,10 +157,10 @@ fn placement(table: &Table<'_>, name: &str, context: &Context) -> Option<Placeme
             mount: None,
         });
     };
-    let place = mount.place(table)?;
+    let frame = mount.hub_frame(table)?;
     Some(Placement {
-        center: place.center,
-        axes: axes_of(table, &place.axis, &place.aft)?,
+        center: frame.center,
+        axes: axes_of(table, &frame.axis, &frame.aft)?,
         carrier: Some(mount.node(name)),
         mount: Some((mount, carrier)),
     })

@@ -106,7 +106,7 @@ pub(super) const PARTS: [&str; 2] = ["lag", "root"];
 const ENDS: [&str; 2] = ["hub", "blades"];
 
 keys! {
-    /// What it connects with each blade: the hub, or the next blade in the direction of azimuth.
+    /// Its other end than on the blade: on the hub, or on the next blade in the direction of azimuth.
     pub(super) BETWEEN: usize = "between", [Word(&ENDS)], or "\"hub\"" = 0, "\"blades\"";
     /// End on the hub, or on the yoke of a hub that tilts: along the undeformed blade from the center
     /// of the hub, forward, and up; needed between hub and blade.

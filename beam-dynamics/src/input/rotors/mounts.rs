@@ -1,4 +1,4 @@
-//! What carries the shaft of a rotor: a tower with a nacelle, or a wing with a pylon that turns.
+//! The mount of the shaft of a rotor: a tower with a nacelle, or a wing with a pylon that turns.
 //!
 //! Each kind has its keys, its reader and its cards in a file of its own. It determines the center and
 //! the axis of the rotor, and the node that carries the shaft.
@@ -11,13 +11,13 @@ use super::keys::{AFT, AXIS, CENTER};
 use super::problem::RotorProblem;
 
 mod column;
+mod hub_frame;
 pub(super) mod keys;
-mod place;
 mod pylon;
 mod turbine;
 
+use hub_frame::HubFrame;
 use keys::{FOOT, NACELLE, PYLON, TOWER};
-use place::Place;
 use pylon::Pylon;
 use turbine::Turbine;
 
@@ -76,20 +76,20 @@ impl Mount {
         }
     }
 
-    /// The place of the rotor: `axis` of its card, if it is given, chooses the sense of rotation, and
+    /// The frame of the hub: `axis` of its card, if it is given, chooses the sense of rotation, and
     /// `aft` the direction of azimuth zero.
-    pub fn place(&self, table: &Table<'_>) -> Option<Place> {
-        let mut place = match self {
-            Self::Turbine(turbine) => turbine.place(),
-            Self::Pylon(pylon) => pylon.place(),
+    pub fn hub_frame(&self, table: &Table<'_>) -> Option<HubFrame> {
+        let mut frame = match self {
+            Self::Turbine(turbine) => turbine.hub_frame(),
+            Self::Pylon(pylon) => pylon.hub_frame(),
         };
-        if table.has(&AXIS) && table.get(&AXIS)?.dot(&place.axis) < 0.0 {
-            place.axis = -place.axis;
+        if table.has(&AXIS) && table.get(&AXIS)?.dot(&frame.axis) < 0.0 {
+            frame.axis = -frame.axis;
         }
         if table.has(&AFT) {
-            place.aft = table.get(&AFT)?;
+            frame.aft = table.get(&AFT)?;
         }
-        Some(place)
+        Some(frame)
     }
 
     /// The name of the node that carries the shaft of the rotor called `name`.

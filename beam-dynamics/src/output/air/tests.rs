@@ -121,7 +121,7 @@ fn tables_have_every_strip_and_sum_to_the_report() {
     assert!(lines.iter().all(|line| line.len() == lines[0].len()));
     let column = lines[0]
         .iter()
-        .position(|name| *name == "force z [N]")
+        .position(|name| *name == "force_z [N]")
         .unwrap();
     let sum: f64 = lines[1..]
         .iter()
@@ -130,7 +130,7 @@ fn tables_have_every_strip_and_sum_to_the_report() {
     assert!((sum - 80.0).abs() < 1e-9);
     let moment = lines[0]
         .iter()
-        .position(|name| *name == "moment z [N m]")
+        .position(|name| *name == "moment_z [N m]")
         .unwrap();
     let sum: f64 = lines[1..]
         .iter()

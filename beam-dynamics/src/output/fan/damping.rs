@@ -16,7 +16,7 @@ pub(super) fn draw(drawing: &mut Drawing, plot: &FanPlot, above: &Axes) {
         y: range(ratios.flatten().copied().chain([0.0]), 0.0),
         ..*above
     };
-    axes.draw_zero(drawing);
+    axes.draw_grid(drawing);
     for curve in &plot.curves {
         for run in curves::runs(&plot.speeds, &curve.damping, |point| axes.position(point)) {
             curve.stroke(0).draw(drawing, &run);

@@ -1,6 +1,6 @@
 //! The matrices of a linear model as one table.
 
-use crate::output::rows::{csv_text, heading};
+use crate::output::rows::{csv_as_named, heading};
 use crate::result::{LinearModel, LinearVariable};
 
 /// `[A B; C D]`: a row for the rate of each state and for each output, a column for each state and
@@ -23,7 +23,7 @@ pub fn linear_csv(model: &LinearModel) -> String {
         let numbers = numbers.map(|value| format!("{value:?}"));
         std::iter::once(name).chain(numbers).collect()
     });
-    csv_text(
+    csv_as_named(
         &heading(columns.iter().map(String::as_str)),
         rows.collect::<Vec<Vec<_>>>(),
     )

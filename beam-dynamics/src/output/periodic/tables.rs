@@ -4,42 +4,39 @@ use std::f64::consts::TAU;
 
 use crate::case::Column;
 use crate::input::short_number;
+use crate::output::rows::csv_text;
 use crate::result::{FloquetTable, Harmonics};
 
 /// Digits of numbers.
 const DIGITS: usize = 12;
+const FLOQUET: &str = "number,real part [-],imaginary part [-],size [-],growth [1/s],frequency [Hz],\
+    frequency [1/period],damping ratio [-],error [1/s],residual [-],share [-],stability,motion";
 
 /// A row for each column: name, unit, mean, and the factors of cosine and sine of each harmonic.
 pub(super) fn harmonics_csv(columns: &[Column], found: &[Harmonics]) -> String {
     let count = found.iter().map(|own| own.parts.len()).max().unwrap_or(0);
-    let mut text = "column,unit,mean".to_owned();
+    let mut heading = "column,unit,mean".to_owned();
     for m in 1..=count {
-        text.push_str(&format!(",cos {m},sin {m}"));
+        heading.push_str(&format!(",cos {m},sin {m}"));
     }
-    text.push('\n');
-    for (column, own) in columns.iter().zip(found) {
+    let rows = columns.iter().zip(found).map(|(column, own)| {
         let mut cells = vec![column.name.clone(), column.unit.clone()];
         let numbers = std::iter::once(&own.mean).chain(own.parts.iter().flatten());
         cells.extend(numbers.map(|number| short_number(*number, DIGITS)));
-        text.push_str(&cells.join(","));
-        text.push('\n');
-    }
-    text
+        cells
+    });
+    csv_text(&heading, rows)
 }
 
 /// A row for each multiplier: number, multiplier, growth, frequency, also in multiples of the
 /// fundamental one, damping ratio, error and residual, share, stability, and the dominant motion.
 /// Missing values are empty.
 pub(super) fn floquet_csv(table: &FloquetTable, period: f64) -> String {
-    let mut text = "number,real part [-],imaginary part [-],size [-],growth [1/s],frequency [Hz],\
-                    frequency [1/period],damping ratio [-],error [1/s],residual [-],share [-],\
-                    stability,motion\n"
-        .to_owned();
     let number = |value: f64| short_number(value, DIGITS);
     let optional = |value: Option<f64>| value.map_or_else(String::new, number);
-    for (index, mode) in table.modes.iter().enumerate() {
+    let rows = table.modes.iter().enumerate().map(|(index, mode)| {
         let hertz = mode.frequency() / TAU;
-        let cells = [
+        vec![
             (index + 1).to_string(),
             number(mode.multiplier.re),
             number(mode.multiplier.im),
@@ -53,12 +50,10 @@ pub(super) fn floquet_csv(table: &FloquetTable, period: f64) -> String {
             format!("{:.3e}", mode.residual),
             format!("{:.4}", mode.share),
             mode.stability().word().to_owned(),
-            format!("\"{}\"", mode.name.replace('"', "'")),
-        ];
-        text.push_str(&cells.join(","));
-        text.push('\n');
-    }
-    text
+            mode.name.clone(),
+        ]
+    });
+    csv_text(FLOQUET, rows)
 }
 
 #[cfg(test)]
@@ -90,7 +85,9 @@ mod tests {
         let text = floquet_csv(&table, 2.0);
         let row = text.lines().nth(1).unwrap();
         assert!(row.starts_with("1,0.3,0.4,0.5,-0.6,0.8,1.6,0.118"), "{row}");
-        assert!(row.ends_with(",2.000e-7,1.000e-14,1.0000,stable,\"node 'a': rotation about y\""));
+        assert!(
+            row.ends_with(",2.000e-7,1.000e-14,1.0000,stable,\"node \"\"a\"\": rotation about y\"")
+        );
     }
 
     #[test]
@@ -101,7 +98,7 @@ mod tests {
         };
         assert_eq!(
             harmonics_csv(&[], &[found]),
-            "column,unit,mean,cos 1,sin 1\n"
+            "column,unit,mean,cos_1,sin_1\n"
         );
     }
 }

@@ -119,7 +119,7 @@ impl Shown {
     }
 
     fn draw(&self, drawing: &mut Drawing, panel: &Axes, on_one_line: bool) {
-        panel.draw_zero(drawing);
+        panel.draw_grid(drawing);
         for (component, color) in COLORS.into_iter().enumerate() {
             let part = |pick: fn(&nalgebra::Complex<f64>) -> f64| -> Vec<_> {
                 let points = self.member_motion.points.iter();

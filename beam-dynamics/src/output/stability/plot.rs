@@ -123,7 +123,6 @@ impl StabilityPlot {
     fn draw_panel(&self, drawing: &mut Drawing, panel: usize) {
         let ([across, up], axes) = (CONTENT[panel].0, self.axes(panel));
         axes.draw_grid(drawing);
-        axes.draw_zero(drawing);
         if across != 0 {
             let zero = [[0.0, axes.y[0]], [0.0, axes.y[1]]];
             axes.curve(drawing, &zero, Stroke::new(2.0, MARKED));

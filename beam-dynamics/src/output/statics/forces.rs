@@ -88,7 +88,7 @@ impl ForcePlot {
             // With zero, so that a constant force is recognizable.
             y: range(values.map(|point| shown(&point.1)).chain([0.0]), floor),
         };
-        axes.draw_zero(drawing);
+        axes.draw_grid(drawing);
         for curve in &self.curves {
             let points = curve.points.iter();
             let points: Vec<_> = points.map(|(arc, force)| [*arc, shown(force)]).collect();

@@ -92,7 +92,7 @@ impl Figure for PathPlot {
         let entry = |curve: &Curve| (curve.name.to_owned(), LINE, curve.color);
         let legend = Legend::of_lines(self.curves.iter().map(entry));
         legend.draw(drawing, [axes.left, 86.0], axes.right - axes.left);
-        axes.draw_zero(drawing);
+        axes.draw_grid(drawing);
         for curve in &self.curves {
             axes.curve(drawing, &curve.points, Stroke::new(LINE, curve.color));
             if curve.points.len() <= MOST_POINTS {

@@ -117,8 +117,8 @@ mod tests {
         assert_eq!(lines.len(), 1 + 2 * 10);
         assert_eq!(
             lines[0],
-            "step,factor [-],node,x [m],y [m],z [m],displacement x [m],displacement y [m],\
-             displacement z [m],rotation x [deg],rotation y [deg],rotation z [deg]"
+            "step,factor [-],node,x [m],y [m],z [m],displacement_x [m],displacement_y [m],\
+             displacement_z [m],rotation_x [deg],rotation_y [deg],rotation_z [deg]"
         );
         assert_eq!(lines[9], "0,0,n8,10,0,0,0,0,0,0,0,0");
         assert_eq!(
@@ -144,7 +144,7 @@ mod tests {
     fn reactions_of_every_joint() {
         let text = reaction_csv(&samples::bent(&[0.0, 1.0]));
         let expected = "\
-step,factor [-],joint,node,force x [N],force y [N],force z [N],moment x [N m],moment y [N m],moment z [N m]
+step,factor [-],joint,node,force_x [N],force_y [N],force_z [N],moment_x [N m],moment_y [N m],moment_z [N m]
 0,0,clamp of n0,n0,0,0,0,0,0,0
 1,1,clamp of n0,n0,-80,5,-1000,-20,10000,-50
 ";

@@ -320,7 +320,7 @@ impl TimePlot {
             y: self.values(curves),
         };
         legend.draw(drawing, [axes.left, top], space());
-        axes.draw_zero(drawing);
+        axes.draw_grid(drawing);
         for curve in &curves.curves {
             let stroke = self.stroke(curve);
             for piece in &curve.pieces {

@@ -84,7 +84,7 @@ mod tests {
             remarks: Vec::new(),
         };
         let text = trim_csv(&result);
-        let expected = "mu,\"a,b\",lift,lift required,lift error,iterations,residual [-],\
+        let expected = "mu,\"a,b\",lift,lift_required,lift_error,iterations,residual [-],\
                         status\n0.2,1.5,700,701,-1.000e0,3,2.000e-12,met\n\
                         0.2,1.5,,,,3,2.000e-12,not met\n";
         assert_eq!(text, expected);

@@ -20,9 +20,9 @@ use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, warnings_of, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
-    AnalysisRecord, Figures, Outline, OutputFiles, ResultWriter, WarpingPlot, add_prestress,
-    areas_csv, constants_csv, end_effects, failure_report, imposed_report, piezo_report,
-    prestress_report, properties, report, warping_vtu,
+    AnalysisRecord, Outline, OutputFiles, ResultWriter, WarpingPlot, add_prestress, areas_csv,
+    constants_csv, end_effects, failure_report, imposed_report, piezo_report, prestress_report,
+    properties, report, warping_vtu,
 };
 use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
@@ -208,11 +208,7 @@ pub(in crate::cli) fn made_from(input: &Input, run: &Run) -> String {
     parts.extend(run.mesh_error.then_some(&b"mesh error"[..]));
     let open = format!("open {:?}", run.open);
     parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
-    match run.figures {
-        Figures::None => parts.push(b"no figures"),
-        Figures::Png => {}
-        Figures::PngAndSvg => parts.push(b"svg"),
-    }
+    parts.extend((!run.figures).then_some(&b"no figures"[..]));
     sha256_of(&parts)
 }
 
@@ -254,7 +250,7 @@ impl InCircuit {
         Ok(Self {
             seen: found.solution.in_circuit()?,
             mesh_error: MeshError::new(input, &found.solution, run),
-            fields: if run.figures.are_drawn() {
+            fields: if run.figures {
                 fields_per_volt(input, &found.solution)?
             } else {
                 Vec::new()

@@ -25,7 +25,7 @@ once, solves, prints the report, and writes into the folder DIR:
   NAME.mesh_error.json   with --mesh-error: discretization error of each entry of the stiffness
   NAME.LOAD.stress.txt   and its tables: see \"stress\"; for each [load.LOAD] of FILE
   NAME.analysis.json     fingerprints of the input and of the files above
-where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
+and each .png as .svg too, where FILE is NAME.section.toml. An analysis that fails writes the report and the mesh,
 and removes the other files of an earlier run.
 
 Several files are solved in parallel, each by one thread. One line per section is printed
@@ -77,9 +77,6 @@ pub(in crate::cli) struct AnalyzeArguments {
     /// Draw no figures; figures of an earlier run are removed
     #[arg(long)]
     pub no_figures: bool,
-    /// Draw each figure as SVG too, next to its PNG
-    #[arg(long, conflicts_with = "no_figures")]
-    pub svg: bool,
     /// Derivatives of stiffness, mass and centers with respect to every constant of the
     /// materials and the fiber and plane angle of every region
     #[arg(long)]

@@ -11,7 +11,8 @@ Reports all problems of the section file, its mesh and its tables, with file,
 line and remedy; without problems, prints the contents of the file and the shapes
 of the cells by region. With --out it draws the section too:
   NAME.mesh.png          the mesh in the colors of its materials
-  NAME.fibers.png        wall directions and fiber angles, if a material has directions";
+  NAME.fibers.png        wall directions and fiber angles, if a material has directions
+and both as .svg too.";
 
 pub(super) const CHECK_EXAMPLE: &str = "\
 Example:
@@ -28,7 +29,4 @@ pub(in crate::cli) struct CheckArguments {
     /// Draw no figures; figures of an earlier run in DIR are removed
     #[arg(long)]
     pub no_figures: bool,
-    /// Draw each figure as SVG too, next to its PNG
-    #[arg(long, requires = "out", conflicts_with = "no_figures")]
-    pub svg: bool,
 }

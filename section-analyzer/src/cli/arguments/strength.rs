@@ -12,7 +12,7 @@ Reserve factors and damage of all plies of a blade under many loads, and fatigue
 
 SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections, or the
 blade NAME.blade.json beside it. LOADS has internal forces along the blade, about its line and in section axes, names with units:
-  arc [m] or eta; any of case, time, step; axial [N], shear y [N], ..., bending z [N m]
+  arc [m] or eta; any of case, time, step; axial [N], shear_y [N], ..., bending_z [N m]
                       a row for each position and instant, in any order, as \"beam-dynamics static\" writes
   time [s]; case, member; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position

@@ -9,7 +9,7 @@ Solves the section, prints the report of each load, and writes into the folder D
   NAME.LOAD.stress_cells.csv   means of the cells
   NAME.LOAD.stress_nodes.csv   smoothed values at nodes, by region
   NAME.LOAD.stress.vtu         all of it as fields on the mesh, for ParaView
-  NAME.LOAD.stress_xx.png      plots; also shear, von_mises, and failure with strengths
+  NAME.LOAD.stress_xx.png, .svg  plots; also shear, von_mises, and failure with strengths
 The load is given on the command line; if not, all [load.NAME] of the file are used.
 A plain number is in N or N m; \"1 kN\" and \"3 lbf in\" carry their own units.";
 

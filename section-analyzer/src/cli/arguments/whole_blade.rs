@@ -18,7 +18,7 @@ windIO. Its sections are meshed and solved in parallel, and written into the fol
   NAME.span.csv       by station: mass, EA, EI, GJ, GA, centers, principal axes
   NAME.layers.csv     by station and layer: arcs, thickness, area as given and meshed
   NAME.span.png, NAME.shear.png, NAME.centers.png
-                      the same over the arc length
+                      the same over the arc length, each as .svg too
   NAME.compare.csv    with --compare FILE: by station, mass, EA, EI and GJ beside the values of another
                       blade file, as published ones, and the differences
   NAME.report.html    with --report: one page for a browser, without network: sections with
@@ -40,7 +40,7 @@ pub(super) const WHOLE_BLADE_EXAMPLE: &str = "\
 Examples:
   section-analyzer blade rotor.layup.toml --out rotor
   section-analyzer blade rotor.layup.toml --stations 0.1,0.3,0.9 --format beamdyn,hawc2
-  section-analyzer blade rotor.layup.toml --count 40 --format all --svg
+  section-analyzer blade rotor.layup.toml --count 40 --format all
   section-analyzer blade rotor.layup.toml --out rotor --report
   section-analyzer blade turbine.yaml --out turbine
   section-analyzer blade turbine.yaml --check
@@ -117,7 +117,7 @@ pub(in crate::cli) struct WholeBladeArguments {
     #[arg(long, value_name = "FILE", requires = "report")]
     pub modes: Option<PathBuf>,
     /// Mesh and check the sections without solving them; nothing is written
-    #[arg(long, conflicts_with_all = ["out", "format", "report", "compare", "skip_failed", "force", "no_figures", "svg"])]
+    #[arg(long, conflicts_with_all = ["out", "format", "report", "compare", "skip_failed", "force", "no_figures"])]
     pub check: bool,
     /// Blade file of any format that beam-dynamics reads: write a table of the differences
     #[arg(long, value_name = "FILE")]
@@ -137,7 +137,4 @@ pub(in crate::cli) struct WholeBladeArguments {
     /// Draw no figures; figures of an earlier run are removed
     #[arg(long)]
     pub no_figures: bool,
-    /// Draw each figure as SVG too, next to its PNG
-    #[arg(long, conflicts_with = "no_figures")]
-    pub svg: bool,
 }

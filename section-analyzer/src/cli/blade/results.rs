@@ -11,8 +11,8 @@ use shared_geom::files::{OutputProblem, make_folder, write_figure, write_whole};
 use crate::cli::arguments::WholeBladeArguments;
 use crate::cli::{NOT_REACHED, Stop, Terminal, list, list_removed};
 use crate::output::{
-    Figures, SolvedSpan, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv,
-    span_plots, span_text,
+    SolvedSpan, SpanFiles, comparison_csv, comparison_text, layers_csv, span_csv, span_plots,
+    span_text,
 };
 
 /// A blade whose sections do not make one.
@@ -48,7 +48,7 @@ pub(super) fn write(
     let Results {
         span, is_written, ..
     } = *results;
-    let figures = Figures::requested(arguments.no_figures, arguments.svg);
+    let figures = !arguments.no_figures;
     let blade = span.blade();
     let problems = if is_written {
         blade.problems()
@@ -101,7 +101,7 @@ pub(super) fn write(
 fn write_tables(
     span: &SolvedSpan<'_>,
     files: &SpanFiles,
-    figures: Figures,
+    figures: bool,
     written: &mut Vec<PathBuf>,
 ) -> Result<(), OutputProblem> {
     for (file, text) in [
@@ -111,18 +111,19 @@ fn write_tables(
         write_whole(&file, &text)?;
         written.push(file);
     }
-    let wanted = [figures.are_drawn(), figures == Figures::PngAndSvg];
+    let is_drawn = figures && !span.stations.is_empty();
     for (name, plot) in span_plots(span) {
         let file = files.figure(name);
         let vector = file.with_extension("svg");
-        for (file, is_wanted) in [file, vector].into_iter().zip(wanted) {
-            match is_wanted && !span.stations.is_empty() {
-                true => {
-                    write_figure(&file, &plot.drawing())?;
+        let drawing = is_drawn.then(|| plot.drawing());
+        for file in [file, vector] {
+            match &drawing {
+                Some(drawing) => {
+                    write_figure(&file, drawing)?;
                     written.push(file);
                 }
                 // A missing file is ignored.
-                false => drop(std::fs::remove_file(file)),
+                None => drop(std::fs::remove_file(file)),
             }
         }
     }

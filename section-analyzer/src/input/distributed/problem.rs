@@ -46,7 +46,7 @@ pub enum DistributedProblem {
     },
     /// A curve whose lines belong to no cell.
     #[error(
-        "line {line} of physical curve \"{curve}\", at ({}, {}) m, is not a side of a cell, \
+        "line {line} of curve \"{curve}\", at ({}, {}) m, is not a side of a cell, \
          expected a curve along sides of cells",
         short(.at[0]), short(.at[1])
     )]
@@ -62,7 +62,7 @@ pub enum DistributedProblem {
     },
     /// A pressure on a curve that has cells on both sides.
     #[error(
-        "physical curve \"{curve}\" has cells on both sides of line {line}, expected a pressure \
+        "curve \"{curve}\" has cells on both sides of line {line}, expected a pressure \
          on a surface"
     )]
     Inside {
@@ -74,7 +74,7 @@ pub enum DistributedProblem {
         faces: Vec<String>,
     },
     /// A region that has no cells.
-    #[error("physical surface \"{group}\" is not a region of the section")]
+    #[error("group \"{group}\" is not a region of the section")]
     NoRegion {
         /// The name found.
         group: String,

@@ -16,7 +16,7 @@ pub struct WrittenFill {
     pub fiber_angle: f64,
     /// Angle of the second axis of the material from y \[rad\].
     pub plane_angle: f64,
-    /// What it is ahead of, and what it is aft of.
+    /// Its aft and its fore bound: the parts that it is ahead of and aft of.
     pub bounds: [Option<FillBound>; 2],
     /// First and last position along the span [-].
     pub range: [f64; 2],

@@ -72,7 +72,7 @@ impl SpanStation {
 /// A layer, ply, web or fill that no station has.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MissedLayer {
-    /// What it is.
+    /// `layer`, `web` or another word for it.
     kind: &'static str,
     name: String,
     line: usize,

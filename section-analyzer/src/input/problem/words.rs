@@ -1,46 +1,63 @@
 //! Parts of messages.
 
 use shared_geom::error::{nearest_name, quoted};
+use shared_geom::mesh::{GroupForm, GroupKind};
 
 /// Number of names that a message lists before it counts the rest.
 const NAMES_SHOWN: usize = 5;
+/// Dimensions of groups.
+const CURVE: u8 = 1;
+const SURFACE: u8 = 2;
 
 /// Alternatives to a group that the mesh does not have; `is_other` if the mesh has a
-/// group of the other kind with this name.
-pub(super) fn known_groups(kind: &str, group: &str, known: &[String], is_other: bool) -> String {
+/// group of the other kind, curve or surface, with this name.
+pub(super) fn known_groups(
+    kind: GroupKind,
+    group: &str,
+    known: &[String],
+    is_other: bool,
+) -> String {
     if is_other {
-        return match kind {
-            "curve" => format!("\"{group}\" is a physical surface; give a physical curve"),
+        let [curve, surface] = [CURVE, SURFACE].map(|dimension| kind.with_dimension(dimension));
+        return match kind.dimension {
+            CURVE => format!("\"{group}\" is a {surface}; give a {curve}"),
             _ => format!(
-                "\"{group}\" is a physical curve; give a physical surface, or put plies along the \
-                 curve by [[lamina]]"
+                "\"{group}\" is a {curve}; give a {surface}, or put plies along the curve by \
+                 [[lamina]]"
             ),
         };
     }
-    let all = format!("physical {kind}s of the mesh: {}", quoted(known));
+    let all = match kind.form {
+        GroupForm::Physical => format!("{kind}s of the mesh: {}", quoted(known)),
+        _ => format!("of the mesh, each a {kind}: {}", quoted(known)),
+    };
     match nearest_name(group, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"? {all}"),
-        None if known.is_empty() => {
-            format!(
-                "the mesh has no physical {kind}: add one (in gmsh a physical {kind}, in Abaqus a set, in \
-                 VTK an array of whole numbers by cell)"
-            )
-        }
+        None if known.is_empty() => format!("the mesh has no {kind}: add one, {}", form(kind)),
         None => all,
     }
 }
 
-/// How the cells of the mesh `file` get groups, by the format of its ending.
-pub(super) fn grouping(file: &str) -> &'static str {
-    let ending = file.rsplit('.').next().unwrap_or_default().to_lowercase();
-    match ending.as_str() {
-        "inp" => {
+/// The way in which a mesh file has groups of a kind.
+fn form(kind: GroupKind) -> &'static str {
+    match (kind.form, kind.dimension) {
+        (GroupForm::Physical, _) => "in gmsh by a physical group",
+        (GroupForm::Sets, 0) => "in Abaqus by *NSET",
+        (GroupForm::Sets, _) => "in Abaqus by *ELSET",
+        (GroupForm::Values, _) => "in VTK by an array of whole numbers by cell",
+    }
+}
+
+/// How the cells of a mesh get groups.
+pub(super) fn grouping(form: GroupForm) -> &'static str {
+    match form {
+        GroupForm::Sets => {
             "in Abaqus, put every element of the section in a set (*ELEMENT, ELSET=, or *ELSET)"
         }
-        "vtk" | "vtu" => {
+        GroupForm::Values => {
             "give every cell a number in an array of whole numbers by cell called \"group\""
         }
-        _ => {
+        GroupForm::Physical => {
             "in gmsh, put every surface of the section in a physical surface, and set \
              Mesh.SaveAll = 0 (with 1, files of version 2.2 contain no groups)"
         }

@@ -8,7 +8,7 @@ use shared_geom::units::{Dimension, rounded};
 use super::super::column_table::Row;
 use super::{INSTANTS, LoadInstant, LoadTable};
 
-/// What distinguishes instants: the case, the time and the step.
+/// The cells that distinguish instants: the case, the time and the step.
 type Key = [Option<String>; 3];
 
 /// The instants of a table, in the order of their first rows.

@@ -141,8 +141,8 @@ pub(super) fn build(shape: Shape, kind: CellKind, curved: bool) -> Mesh {
         cells: cells.collect(),
         nodes,
         lines,
-        points: Vec::new(),
         groups,
+        ..Mesh::default()
     }
 }
 

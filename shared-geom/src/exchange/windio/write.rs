@@ -16,11 +16,11 @@ use crate::blade::{Blade, BladeDamping};
 /// equal.
 const EQUAL: f64 = 1e-12;
 
-/// Comment on the parts that the schema requires and that a blade does not have.
-const PART: &str = "\
-# a blade only: the schema of windIO also requires assembly, airfoils, chord, rthick,
-# section_offset_y, anchors and layers; beam-dynamics convert --into FILE writes into a complete file
-";
+/// Remark on the parts that the schema requires and that a blade does not have, in lines.
+pub const PART: [&str; 2] = [
+    "a blade only: the schema of windIO also requires assembly, airfoils, chord, rthick,",
+    "section_offset_y, anchors and layers; beam-dynamics convert --into FILE writes into a complete file",
+];
 
 /// A file of version 1.
 pub(super) fn version_1(blade: &Blade, name: &str) -> Writing {
@@ -67,7 +67,8 @@ pub(super) fn six_by_six(plain: &Plain, margin: &str) -> Vec<String> {
 pub(super) fn version_2(blade: &Blade, name: &str) -> Writing {
     let plain = Plain::of(blade);
     let mut lost = plain.lost.clone();
-    let mut text = head(blade, &plain, name) + PART + "windIO_version: '2.0'\n";
+    let comment = PART.map(|line| format!("# {line}\n")).concat();
+    let mut text = head(blade, &plain, name) + &comment + "windIO_version: '2.0'\n";
     text += "components:\n    blade:\n        reference_axis:\n";
     text += &joined(&axis_columns(&plain, &" ".repeat(12)));
     text += "        outer_shape:\n            twist:\n";

@@ -7,6 +7,8 @@ use crate::integrator::Scheme;
 
 /// Radius above which a scheme hardly damps unresolved motion.
 const HARDLY_DAMPS: f64 = 0.95;
+/// Input of energy up to this part of its growth is round-off [-].
+const NO_INPUT: f64 = 1e-9;
 
 /// Unexplained gain of energy.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +37,15 @@ fn short(value: f64) -> String {
             .parse()
             .map_or(rounded, |value: f64| value.to_string()),
         _ => rounded,
+    }
+}
+
+/// The part of a growth of energy that is input, as text; round-off is none [J].
+fn of_input(input: f64, growth: f64) -> String {
+    if input.abs() > NO_INPUT * growth.abs() {
+        format!("of which {} J are", short(input))
+    } else {
+        "none of which is".to_owned()
     }
 }
 
@@ -160,17 +171,31 @@ impl EnergyWatch {
         });
         let balance = self.largest.balance;
         let words = format!(
-            "from t = {} s on the energy grows by more than the input: until {} s by {} J, of which \
-             {} J are the input by loads and drives{index}",
+            "from t = {} s on the energy grows by more than the input: until {} s by {} J, {} the \
+             input by loads and drives{index}",
             short(since),
             short(self.largest.time),
             short(balance.growth),
-            short(balance.put_in)
+            of_input(balance.put_in, balance.growth)
         );
         Some(Finding {
             words,
             cause,
             remedies,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_off_is_no_input() {
+        assert_eq!(of_input(0.5, 2.0), "of which 0.5 J are");
+        assert_eq!(of_input(-0.5, 2.0), "of which -0.5 J are");
+        for none in [0.0, 1e-12, -1e-12] {
+            assert_eq!(of_input(none, 2.0), "none of which is");
+        }
     }
 }

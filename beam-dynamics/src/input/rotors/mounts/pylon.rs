@@ -15,8 +15,8 @@ use shared_geom::document::{Card, Table};
 use shared_geom::rotation::vector;
 
 use super::column::Column;
+use super::hub_frame::{HubFrame, Turned, axes_along};
 use super::keys::{CONVERSION, PYLON, PYLON_CENTER, PYLON_LENGTH, PYLON_MASS, SPAN, WING};
-use super::place::{Place, Turned, axes_along};
 use crate::input::moments::{INERTIA, moments};
 use crate::input::rotors::base::{Base, Lump, angles, lengths};
 use crate::input::rotors::context::Context;
@@ -86,11 +86,11 @@ impl Pylon {
         Vector3::y() * -self.conversion.undeformed()
     }
 
-    /// The place of the rotor.
-    pub fn place(&self) -> Place {
+    /// The frame of the hub.
+    pub fn hub_frame(&self) -> HubFrame {
         let turn = vector::to_rotation(&self.turn());
         let shaft = turn * Vector3::z();
-        Place {
+        HubFrame {
             center: self.tip() + shaft * self.length,
             axis: shaft,
             aft: turn * Vector3::x(),

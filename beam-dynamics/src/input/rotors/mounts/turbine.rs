@@ -22,10 +22,10 @@ use shared_geom::document::{Card, Table};
 use shared_geom::rotation::vector;
 
 use super::column::Column;
+use super::hub_frame::{HubFrame, Turned, axes_along};
 use super::keys::{
     ABOVE, HEIGHT, NACELLE, NACELLE_CENTER, NACELLE_MASS, OVERHANG, TILT, TOWER, YAW,
 };
-use super::place::{Place, Turned, axes_along};
 use crate::input::moments::{INERTIA, moments};
 use crate::input::rotors::base::{Base, Lump, angles, lengths};
 use crate::input::rotors::context::Context;
@@ -105,12 +105,12 @@ impl Turbine {
         Vector3::z() * self.nacelle.yaw.undeformed()
     }
 
-    /// The place of the rotor: blades at azimuth zero point up.
-    pub fn place(&self) -> Place {
+    /// The frame of the hub: blades at azimuth zero point up.
+    pub fn hub_frame(&self) -> HubFrame {
         let (sin, cos) = self.nacelle.tilt.sin_cos();
         let shaft = vector::to_rotation(&self.turn()) * Vector3::new(cos, 0.0, -sin);
         let above = Vector3::z() * self.nacelle.above;
-        Place {
+        HubFrame {
             center: self.top() + above - shaft * self.nacelle.overhang,
             axis: shaft,
             aft: Vector3::z(),

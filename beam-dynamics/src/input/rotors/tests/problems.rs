@@ -230,7 +230,7 @@ const CONTROLS: &[(&str, &str)] = &[
     ),
     (
         "individual = [0, \"= rate*t\", 0]",
-        "\"individual\": unknown name \"rate\" at letter 2 of \"rate*t\"\n  help: known names: t, height, pi, deg",
+        "\"individual\": unknown name \"rate\" at letter 2 of \"rate*t\"\n  help: known names: t, height, pi, deg; [parameters] defines others",
     ),
     (
         "harmonic = [{ order = 2, cosine = \"none\" }]",

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use super::Notes;
 use super::version::Version;
 
-/// What angles are.
+/// Kind of angles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Angle {
     /// Of fibers or of the twist, within a right angle.

@@ -30,7 +30,7 @@ pub(super) const KEYS: [&str; 7] = [
     "width",
 ];
 
-/// What has a place.
+/// An entry of the file that has a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Holder {
     Layer,

@@ -1,4 +1,4 @@
-//! What prevents the mesh of a blade: in its input, in its walls before they are meshed, and in the
+//! Obstacles to the mesh of a blade: in its input, in its walls before they are meshed, and in the
 //! space between them.
 
 use super::super::grid::Grid;

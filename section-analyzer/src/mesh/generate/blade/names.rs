@@ -7,9 +7,9 @@ use super::contour::{Contour, SIDES};
 use super::problem::BladePart;
 use super::shell::{Of, WebAt};
 
-/// A place in a wall or a web.
+/// A part of the walls.
 #[derive(Debug, Clone, Copy)]
-enum Place {
+enum WallPart {
     /// A side, and the fraction of the chord.
     Side(usize, f64),
     /// The base at the trailing edge.
@@ -32,32 +32,32 @@ impl Named<'_> {
         run(&Names {
             cells: &|layer, s| self.cells(layer, self.place(s)),
             lines: &|level, s| self.lines(level, s),
-            web_cells: &|web, layer| self.cells(layer, Place::Web(self.webs[web].web)),
+            web_cells: &|web, layer| self.cells(layer, WallPart::Web(self.webs[web].web)),
             web_lines: &|web, level| self.web_lines(web, level),
         })
     }
 
-    fn place(&self, s: f64) -> Place {
+    fn place(&self, s: f64) -> WallPart {
         let outline = &self.wall.outline;
         let half = 0.5 * outline.base();
         if s < half || s > outline.perimeter() - half {
-            return Place::Base;
+            return WallPart::Base;
         }
-        Place::Side(usize::from(s > outline.nose()), self.contour.part_at(s))
+        WallPart::Side(usize::from(s > outline.nose()), self.contour.part_at(s))
     }
 
     /// The surfaces of a cell of a layer.
-    fn cells(&self, layer: usize, place: Place) -> Vec<String> {
+    fn cells(&self, layer: usize, place: WallPart) -> Vec<String> {
         let Of { ply, on_spar } = self.plies[layer];
         let replaced = on_spar.filter(|on_spar| !on_spar.is_at(place));
         let filler = replaced.and_then(|on_spar| on_spar.filler.as_ref());
         let name = filler.unwrap_or(&ply.name);
         let part = match place {
-            Place::Side(side, _) => SIDES[side],
-            Place::Base => "edge",
-            Place::Web(BladePart::FrontWeb) => "front_web",
-            Place::Web(_) if self.webs.len() > 1 => "rear_web",
-            Place::Web(_) => "web",
+            WallPart::Side(side, _) => SIDES[side],
+            WallPart::Base => "edge",
+            WallPart::Web(BladePart::FrontWeb) => "front_web",
+            WallPart::Web(_) if self.webs.len() > 1 => "rear_web",
+            WallPart::Web(_) => "web",
         };
         vec![name.clone(), format!("{name}/{part}")]
     }
@@ -92,7 +92,7 @@ impl Named<'_> {
             inner += self.wall.stack.cells(*layer);
             (*layer, outer)
         });
-        let place = Place::Web(self.webs[web].web);
+        let place = WallPart::Web(self.webs[web].web);
         self.add_faces(layers, (level, place), &mut names);
         names
     }
@@ -101,7 +101,7 @@ impl Named<'_> {
     fn add_faces(
         &self,
         layers: impl Iterator<Item = (usize, usize)>,
-        (level, place): (usize, Place),
+        (level, place): (usize, WallPart),
         names: &mut Vec<String>,
     ) {
         for (layer, outer) in layers {
@@ -117,14 +117,14 @@ impl Named<'_> {
 
 impl SparPly {
     /// Whether the ply itself is at a place of the spar.
-    fn is_at(&self, place: Place) -> bool {
+    fn is_at(&self, place: WallPart) -> bool {
         match place {
-            Place::Side(side, part) => {
+            WallPart::Side(side, part) => {
                 let range = [self.upper, self.lower][side];
                 range.is_some_and(|[from, to]| from < part && part < to)
             }
-            Place::Web(BladePart::FrontWeb) => self.webs[0],
-            Place::Web(_) | Place::Base => self.webs[1],
+            WallPart::Web(BladePart::FrontWeb) => self.webs[0],
+            WallPart::Web(_) | WallPart::Base => self.webs[1],
         }
     }
 }

@@ -30,7 +30,7 @@ pub(in super::super) struct Bend {
     pub lean: Lean,
 }
 
-/// What a lean is given by.
+/// The source of a lean.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) enum Lean {
     /// M.

@@ -57,11 +57,11 @@ pub(in super::super) struct Fade {
 }
 
 /// A corner: its arc length, the tangent of half its turn, and its place at the base if it is there.
-type Place = (f64, f64, Option<usize>);
+type Corner = (f64, f64, Option<usize>);
 
 /// The corners of an outline in their order; a trailing edge without a base has one if its sides
 /// `are_joined`.
-fn corners(outline: &Outline, are_joined: bool) -> Vec<Place> {
+fn corners(outline: &Outline, are_joined: bool) -> Vec<Corner> {
     let ([first, last], [before, behind]) = (outline.corners(), outline.rear_tangents());
     let breaks = outline.breaks().iter();
     let breaks = breaks.map(|corner| (corner.s, corner.tangent, None));

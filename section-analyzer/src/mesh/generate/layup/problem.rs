@@ -4,7 +4,7 @@ use shared_geom::error::Explain;
 
 use super::super::super::short;
 
-/// What stands between both sides.
+/// A part between both sides.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Upright {
     /// The web of this name.

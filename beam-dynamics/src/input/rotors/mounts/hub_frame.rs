@@ -1,4 +1,4 @@
-//! The place of a rotor, and what holds or turns the node of its shaft.
+//! The frame of a hub, and what holds or turns the node of its shaft.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::schema::KeySchema;
@@ -9,9 +9,9 @@ use crate::input::rotors::base::{Base, lengths};
 use crate::input::rotors::context::Context;
 use crate::input::rotors::controls::{self, Sum};
 
-/// The place of a rotor.
+/// Position and axes of the hub of a rotor.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::input::rotors) struct Place {
+pub(in crate::input::rotors) struct HubFrame {
     /// Center of the hub \[m\].
     pub center: Vector3<f64>,
     /// Axis of the shaft in the sense of rotation.
