@@ -45,7 +45,7 @@ impl EigenProblem<'_> {
     /// scalars, that lead to one in this system; and how many lead to none.
     pub(super) fn beyond_the_crowd(&self, count: usize) -> (Vec<Eigenpair>, usize) {
         let found = match self.half_air() {
-            Some(half) => self.from_vacuum(half, count),
+            Some(half) => self.followed_from_vacuum(half, count),
             None => self.without_lags(count),
         };
         let asked = found.len();

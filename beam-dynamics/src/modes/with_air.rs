@@ -33,7 +33,11 @@ fn mixed(whole: &Sparse, half: &Sparse, part: f64) -> Sparse {
 impl EigenProblem<'_> {
     /// The modes without air of the lowest `count` frequencies, followed into this system; `None` for
     /// those that are lost on the way. `half` has half of the forces of the air.
-    pub(super) fn from_vacuum(&self, half: &Tangent, count: usize) -> Vec<Option<Eigenpair>> {
+    pub(super) fn followed_from_vacuum(
+        &self,
+        half: &Tangent,
+        count: usize,
+    ) -> Vec<Option<Eigenpair>> {
         let whole = self.tangent();
         let part = |step: usize| Tangent {
             by_unknowns: mixed(
