@@ -465,9 +465,7 @@ fn check_air(root: &Table<'_>, builder: &mut ModelBuilder, analyses: &Analyses) 
     });
     aerodynamics::check_mach(root, air, (&rotation, analyses.highest_start()), limits);
     aerodynamics::check_steady(root, air, (&rotation, analyses.highest_speed()));
-    let shafts = builder.air_blades().iter().filter_map(|blade| blade.shaft);
-    let centers: Vec<_> = shafts.map(|[center, _]| center).collect();
-    aerodynamics::check_ground(root, air, (&centers, &rotation.center));
+    aerodynamics::check_ground(root, air, (&builder.rotor_centers(), &rotation.center));
     if let Some([_, end]) = analyses.times() {
         let frame = &air.wind().frame;
         let extents = builder.air_blades().iter();

@@ -30,3 +30,4 @@ pub use multiblade::Rotor;
 pub use separation::{align, separate};
 pub use shaft::shaft_whirl;
 pub use tracking::{assurances, closeness, follow};
+pub use with_air::half_air;

@@ -5,11 +5,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 
-use crate::assembly::{MasslessMotions, System, Tangent};
+use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesSettings};
 use crate::model::State;
 use crate::modes::{
-    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, separate, shaft_whirl,
+    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, half_air, separate, shaft_whirl,
 };
 use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModePoint};
 use crate::solver::LinearSolver;
@@ -339,7 +339,7 @@ fn at_equilibrium(
     let tangent = system.tangent(&steady.state, &steady.conditions);
     let massless = MasslessMotions::new(system, &tangent);
     let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
-    let half = half_air(system, steady);
+    let half = half_air(system, &steady.state, &steady.conditions);
     let problem = problem
         .ok_or(Failure::Singular { speed })?
         .with_half_air(half.as_ref());
@@ -385,13 +385,6 @@ fn at_equilibrium(
         real: real.iter().map(of_real).collect(),
         residual: residual.fold(steady_residual, larger),
     })
-}
-
-/// The linearized system with half of the forces of the air; `None` without states that air may have.
-fn half_air(system: &System, steady: &Equilibrium) -> Option<Tangent> {
-    let mut conditions = steady.conditions;
-    conditions.loading.air *= 0.5;
-    (!system.scalars().is_empty()).then(|| system.tangent(&steady.state, &conditions))
 }
 
 /// The lowest `count` modes and `spare` ones; of a free model beside its rigid ones.

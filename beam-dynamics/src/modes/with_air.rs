@@ -13,12 +13,20 @@ use std::cell::OnceCell;
 
 use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
-use crate::assembly::{Sparse, Tangent};
+use crate::assembly::{Sparse, System, Tangent};
+use crate::model::{Conditions, State};
 
 /// Largest number of steps.
 const STEPS: usize = 16;
 /// Overlap of the shapes before and after a step from which it is accepted, of one step and of several.
 const SAME: [f64; 2] = [0.5, 0.95];
+
+/// The linearized system with half of the forces of the air; `None` without states that air may have.
+pub fn half_air(system: &System, state: &State, conditions: &Conditions) -> Option<Tangent> {
+    let mut conditions = *conditions;
+    conditions.loading.air *= 0.5;
+    (!system.scalars().is_empty()).then(|| system.tangent(state, &conditions))
+}
 
 /// A matrix with a part of the forces of the air.
 fn mixed(whole: &Sparse, half: &Sparse, part: f64) -> Sparse {

@@ -89,6 +89,22 @@ pub(super) fn solve_blade(
     }
 }
 
+/// Remarks about solved sections: layers that are cut, and a blade file with a single station.
+fn remarks(span: &SolvedSpan<'_>, is_written: bool) -> Vec<String> {
+    let cut = report::cut_of_layers(span.layers()).into_iter();
+    let mut remarks: Vec<String> = cut
+        .map(|(text, sections)| format!("{text}: {}", sections.join(", ")))
+        .collect();
+    if let ([_], true) = (&span.stations[..], is_written) {
+        remarks.push(
+            "the blade file has one station, and thus equal properties along the whole blade; \
+             --stations and --count give more"
+                .to_owned(),
+        );
+    }
+    remarks
+}
+
 /// Solves the sections of a layup along a line, and writes the results.
 fn solve_sections(
     (layup, line): (&Layup, &ReferenceLine),
@@ -133,15 +149,7 @@ fn solve_sections(
         other: other.map(|reading| reading.blade),
     };
     let written = results::write(&results, &files, arguments, terminal);
-    for (text, sections) in report::cut_of_layers(span.layers()) {
-        let text = format!("{text}: {}", sections.join(", "));
-        terminal.warn(file, &[text])?;
-    }
-    if let ([_], true) = (&span.stations[..], is_written) {
-        let text = "the blade file has one station, and thus equal properties along the whole blade; \
-                    --stations and --count give more";
-        terminal.warn(file, &[text.to_owned()])?;
-    }
+    terminal.warn(file, &remarks(&span, is_written))?;
     if !missing.is_empty() {
         let missing = Missing {
             missing,

@@ -22,7 +22,7 @@ use crate::output::{
     not_assessed_text, strength_csv, strength_text,
 };
 use crate::recovery::fatigue::{RegionDamage, region_damages};
-use crate::recovery::{Recoverer, RegionReserve, region_reserves};
+use crate::recovery::{Recoverer, RegionReserve, UnitPoint, region_reserves};
 
 mod coverage;
 mod histories;
@@ -241,23 +241,7 @@ fn rows(
         found,
     };
     let reserves = reserves.into_iter().map(row).collect();
-    let histories = if forces.is_empty() {
-        Vec::new()
-    } else {
-        histories.at(station)
-    };
-    let damages = if histories.is_empty() {
-        Vec::new()
-    } else {
-        region_damages(section, &input.limits, &points, &histories)
-    };
-    let row = |found: RegionDamage| DamageRow {
-        station: station.clone(),
-        ply: section.mesh.groups[found.group].clone(),
-        material: section.materials[found.material].name.clone(),
-        found,
-    };
-    let damages = damages.into_iter().map(row).collect();
+    let damages = damages(station, &input, &points, (histories, !forces.is_empty()));
     let status = if restored.is_known {
         Status::Unchanged
     } else {
@@ -277,6 +261,32 @@ fn rows(
         ],
     };
     Ok((outcome, rows))
+}
+
+/// The damages of the plies of a section, which has loads or not.
+fn damages(
+    station: &ListedStation,
+    input: &input::Input,
+    points: &[UnitPoint],
+    (histories, is_loaded): (&Histories<'_>, bool),
+) -> Vec<DamageRow> {
+    let section = &input.section;
+    let histories = if is_loaded {
+        histories.at(station)
+    } else {
+        Vec::new()
+    };
+    if histories.is_empty() {
+        return Vec::new();
+    }
+    let row = |found: RegionDamage| DamageRow {
+        station: station.clone(),
+        ply: section.mesh.groups[found.group].clone(),
+        material: section.materials[found.material].name.clone(),
+        found,
+    };
+    let damages = region_damages(section, &input.limits, points, &histories);
+    damages.into_iter().map(row).collect()
 }
 
 /// The plies of a section whose material is left out.

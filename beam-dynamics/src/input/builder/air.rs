@@ -67,6 +67,12 @@ impl ModelBuilder {
         &self.air_blades
     }
 
+    /// Points of the shafts of blades and cards with strips \[m\].
+    pub fn rotor_centers(&self) -> Vec<Vector3<f64>> {
+        let shafts = self.air_blades.iter().filter_map(|blade| blade.shaft);
+        shafts.map(|[center, _]| center).collect()
+    }
+
     /// Notes a blade or a card with strips.
     pub fn add_air_blade(&mut self, blade: AirBlade) {
         self.air_blades.push(blade);

@@ -1,4 +1,4 @@
-//! What connects the nodes: beams, with the direction in which they lead away, and joints.
+//! Connections of the nodes: beams, with the direction in which they lead away, and joints.
 
 use nalgebra::Vector3;
 
