@@ -5,6 +5,8 @@ use std::path::Path;
 use shared_geom::blade::read_line;
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
+use shared_geom::exchange::{self, Format};
+use shared_geom::file_kind::FileKind;
 use shared_geom::line::ReferenceLine;
 use shared_geom::mesh::Mesh;
 use shared_geom::units::Dimension;
@@ -168,6 +170,13 @@ pub fn read_with(path: &Path, materials: Materials) -> Result<Layup, Diagnostics
     if prevabs::recognize(&text) {
         return prevabs::read(&text, path, materials);
     }
+    if path.extension().is_none_or(|ending| ending != "toml") {
+        let format = exchange::recognize(&text).map(Format::title);
+        let location = SourceLocation::file(path.display().to_string());
+        let problem = LayupFileProblem::Format { format };
+        return Err(Diagnostics::one(location, &problem));
+    }
+    FileKind::Layup.require(path, &text)?;
     parse(&text, path)
 }
 

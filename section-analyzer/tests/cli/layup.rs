@@ -232,3 +232,38 @@ fn impossible_materials_are_repaired_on_demand() {
     assert!(run.out.contains("replaced by 0.49"), "{}", run.out);
     assert!(run.out.contains("multiplied by 0."), "{}", run.out);
 }
+
+/// Files that are no layups are named by their format, once.
+#[test]
+fn other_files_are_no_layups() {
+    let workplace = Workplace::new();
+    let blade = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../tests/reference/exchange/plain_BeamDyn_Blade.dat"
+    );
+    workplace.write(
+        "blade.dat",
+        &std::fs::read_to_string(blade).expect("a file"),
+    );
+    workplace.write("notes.txt", "dear colleague\n");
+    workplace.write("a.dynamics.toml", "[[blade]]\n");
+    for (file, words) in [
+        (
+            "blade.dat",
+            "error: blade.dat: this is no layup, but the format BeamDyn",
+        ),
+        (
+            "notes.txt",
+            "error: notes.txt: this is no layup, expected NAME.layup.toml",
+        ),
+        (
+            "a.dynamics.toml",
+            "error: a.dynamics.toml: this is a dynamics file, expected a layup",
+        ),
+    ] {
+        let run = workplace.run(&["blade", file]);
+        assert_eq!(run.code, 2);
+        assert!(run.err.starts_with(words), "{}", run.err);
+        assert_eq!(run.err.matches("error:").count(), 1, "{}", run.err);
+    }
+}

@@ -28,10 +28,11 @@ pub(super) fn encode(
     writer.finish()
 }
 
-/// The element of an SVG that shows these rows of red, green, blue, with `finer` units of the SVG in a
-/// pixel: the part that is not white, with white pixels transparent; empty if all are white.
+/// The element of an SVG that shows these rows of red, green, blue from this corner on, with `finer` units
+/// of the SVG in a pixel: the part that is not white, with white pixels transparent; empty if all are
+/// white.
 pub(super) fn element(
-    (width, height): (u32, u32),
+    (corner, (width, height)): ([u32; 2], (u32, u32)),
     pixels: &[u8],
     finer: u32,
 ) -> Result<String, png::EncodingError> {
@@ -47,11 +48,12 @@ pub(super) fn element(
         let is_white = *pixel == WHITE;
         [red, green, blue, if is_white { 0 } else { u8::MAX }]
     });
-    let shown: Vec<u8> = shown.collect();
+    let mut rgba = Vec::with_capacity(4 * (right - left) * (bottom - top));
+    rgba.extend(shown);
     let mut file = Vec::new();
     let size = ((right - left) as u32, (bottom - top) as u32);
-    encode(&mut file, size, &shown, png::ColorType::Rgba)?;
-    let [x, y] = [left, top].map(|start| start * finer as usize);
+    encode(&mut file, size, &rgba, png::ColorType::Rgba)?;
+    let [x, y] = [corner[0] + left as u32, corner[1] + top as u32].map(|start| start * finer);
     let (wide, high) = (size.0 * finer, size.1 * finer);
     Ok(format!(
         "<image x=\"{x}\" y=\"{y}\" width=\"{wide}\" height=\"{high}\" \
@@ -88,7 +90,7 @@ mod tests {
             let at = CHANNELS * (width * y + x);
             pixels[at..at + CHANNELS].copy_from_slice(&color);
         }
-        let shown = element((5, 4), &pixels, 8).unwrap();
+        let shown = element(([0; 2], (5, 4)), &pixels, 8).unwrap();
         let begin = "<image x=\"8\" y=\"8\" width=\"24\" height=\"16\" \
                      xlink:href=\"data:image/png;base64,";
         let data = shown.strip_prefix(begin).expect(&shown);
@@ -102,6 +104,6 @@ mod tests {
         let expected = [[255, 0, 0, 255], none, none, none, none, [0, 0, 255, 255]];
         assert_eq!(found, expected.as_flattened());
         let white = vec![u8::MAX; CHANNELS * width * height];
-        assert_eq!(element((5, 4), &white, 8).unwrap(), "");
+        assert_eq!(element(([0; 2], (5, 4)), &white, 8).unwrap(), "");
     }
 }

@@ -141,18 +141,19 @@ fn write_png(path: &Path, size: (u32, u32), shapes: &[Shape]) -> Result<(), Figu
         let file = BufWriter::new(File::create(path)?);
         bitmap::encode(file, size, pixels, png::ColorType::Rgb)
     };
-    with_pixels(size, shapes, write)?.map_err(|error| unwritable(path, error))
+    with_pixels(([0; 2], size), shapes, write)?.map_err(|error| unwritable(path, error))
 }
 
-/// The result of `work` on the pixels of these shapes on a white sheet, rows of red, green, blue.
+/// The result of `work` on the pixels of these shapes on a white sheet with this left upper corner and
+/// size, rows of red, green, blue.
 fn with_pixels<T>(
-    size: (u32, u32),
+    (corner, size): ([u32; 2], (u32, u32)),
     shapes: &[Shape],
     work: impl FnOnce(&[u8]) -> T,
 ) -> Result<T, FigureProblem> {
     let mut sheet = Sheet::new(size);
     for shape in shapes {
-        fill_sheet(&mut sheet, shape)?;
+        fill_sheet(&mut sheet, shape, corner.map(f64::from))?;
     }
     PIXELS.with_borrow_mut(|pixels| {
         sheet.average(pixels);
@@ -166,10 +167,11 @@ thread_local! {
     static PIXELS: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Draws a shape on the sheet.
-fn fill_sheet(sheet: &mut Sheet, shape: &Shape) -> Result<(), FigureProblem> {
+/// Draws a shape on the sheet with this left upper corner.
+fn fill_sheet(sheet: &mut Sheet, shape: &Shape, corner: [f64; 2]) -> Result<(), FigureProblem> {
     let scale = f64::from(OVERSAMPLING);
-    let finer = |point: &[f64; 2]| point.map(|length| scale * length);
+    let moved = |point: &[f64; 2]| [0, 1].map(|i| point[i] - corner[i]);
+    let finer = |point: &[f64; 2]| moved(point).map(|length| scale * length);
     match shape {
         Shape::Polygon { corners, color } => {
             let corners: Vec<_> = corners.iter().map(finer).collect();
@@ -192,7 +194,7 @@ fn fill_sheet(sheet: &mut Sheet, shape: &Shape) -> Result<(), FigureProblem> {
         }
         Shape::Values { triangles, colors } => {
             for triangle in triangles {
-                shade(sheet, &triangle.scaled(scale), |value| {
+                shade(sheet, &triangle.mapped(finer), |value| {
                     colors.of(value).bytes()
                 });
             }
@@ -202,7 +204,7 @@ fn fill_sheet(sheet: &mut Sheet, shape: &Shape) -> Result<(), FigureProblem> {
             position,
             label,
         } => {
-            let text = (text.as_str(), *position, *label);
+            let text = (text.as_str(), moved(position), *label);
             return write_text(sheet, text, (OVERSAMPLING, BASELINES[0]));
         }
     }
@@ -262,8 +264,7 @@ fn write_svg(path: &Path, size: (u32, u32), shapes: &[Shape]) -> Result<(), Figu
     for part in shapes.chunk_by(|one, next| one.is_text() == next.is_text()) {
         text.push_str(
             &if part.iter().map(Shape::pieces).sum::<usize>() > MOST_PIECES {
-                let image = with_pixels(size, part, |pixels| bitmap::element(size, pixels, FINER))?;
-                image.map_err(|error| unwritable(path, error))?
+                image(size, part)?.map_err(|error| unwritable(path, error))?
             } else {
                 elements(fine, part)?
             },
@@ -271,6 +272,38 @@ fn write_svg(path: &Path, size: (u32, u32), shapes: &[Shape]) -> Result<(), Figu
     }
     text.push_str("</svg>\n");
     std::fs::write(path, text).map_err(|error| unwritable(path, error))
+}
+
+/// Shapes on a sheet of this size as an image in an SVG.
+fn image(
+    size: (u32, u32),
+    shapes: &[Shape],
+) -> Result<Result<String, png::EncodingError>, FigureProblem> {
+    let mut bounds = [f64::from(size.0), f64::from(size.1), 0.0, 0.0];
+    for shape in shapes {
+        let own = shape.bounds();
+        let wider = |i: usize| match i {
+            0 | 1 => bounds[i].min(own[i]),
+            _ => bounds[i].max(own[i]),
+        };
+        bounds = [0, 1, 2, 3].map(wider);
+    }
+    // with a pixel for rounding; numbers beyond the sheet, and none, become its edges
+    let inner = |length: f64, most: u32| length.clamp(0.0, f64::from(most)) as u32;
+    let corner = [
+        inner(bounds[0].floor() - 1.0, size.0),
+        inner(bounds[1].floor() - 1.0, size.1),
+    ];
+    let own = (
+        inner(bounds[2].ceil() + 1.0, size.0).saturating_sub(corner[0]),
+        inner(bounds[3].ceil() + 1.0, size.1).saturating_sub(corner[1]),
+    );
+    if own.0 == 0 || own.1 == 0 {
+        return Ok(Ok(String::new()));
+    }
+    with_pixels((corner, own), shapes, |pixels| {
+        bitmap::element((corner, own), pixels, FINER)
+    })
 }
 
 /// The elements of shapes in an SVG of this size [its units].

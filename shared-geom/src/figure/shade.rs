@@ -19,9 +19,10 @@ impl ValueTriangle {
         self.values.iter().sum::<f64>() / 3.0
     }
 
-    pub(super) fn scaled(&self, scale: f64) -> Self {
+    /// The same with its corners at other points.
+    pub(super) fn mapped(&self, map: impl Fn(&[f64; 2]) -> [f64; 2]) -> Self {
         Self {
-            corners: self.corners.map(|[x, y]| [scale * x, scale * y]),
+            corners: self.corners.each_ref().map(map),
             ..*self
         }
     }

@@ -99,10 +99,41 @@ pub(super) enum Shape {
     },
 }
 
+/// Bounds of no points.
+const NOWHERE: [f64; 4] = [
+    f64::INFINITY,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NEG_INFINITY,
+];
+
 impl Shape {
     /// Whether it is a text.
     pub fn is_text(&self) -> bool {
         matches!(self, Self::Text { .. })
+    }
+
+    /// The smallest and the largest coordinates of all but texts: x, y, x, y \[figure pixels\].
+    pub fn bounds(&self) -> [f64; 4] {
+        let around = |points: &mut dyn Iterator<Item = [f64; 2]>, width: f64| {
+            points.fold(NOWHERE, |[left, top, right, bottom], [x, y]| {
+                [
+                    left.min(x - width),
+                    top.min(y - width),
+                    right.max(x + width),
+                    bottom.max(y + width),
+                ]
+            })
+        };
+        match self {
+            Self::Polygon { corners, .. } => around(&mut corners.iter().copied(), 0.0),
+            Self::Region { polygons, .. } => around(&mut polygons.iter().flatten().copied(), 0.0),
+            Self::Line { points, width, .. } => around(&mut points.iter().copied(), *width),
+            Self::Values { triangles, .. } => {
+                around(&mut triangles.iter().flat_map(|one| one.corners), 0.0)
+            }
+            Self::Text { .. } => NOWHERE,
+        }
     }
 
     /// Number of polygons and lines that it has in a vector format; zero for a text.

@@ -85,7 +85,7 @@ fn without_numbers(text: &str) -> String {
     let words = text.split_inclusive(char::is_whitespace).map(|word| {
         let number = word.trim_matches(|letter: char| !letter.is_alphanumeric());
         match number.parse::<f64>() {
-            Ok(_) => word.replace(number, "#"),
+            Ok(_) => word.replace(number, "#").replace("-#", "#"),
             Err(_) => word.to_owned(),
         }
     });

@@ -8,6 +8,15 @@ use crate::mesh::generate::layup::LayupProblem;
 /// A problem of a layup file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LayupFileProblem {
+    /// A text that is no layup.
+    #[error(
+        "this is no layup{}, expected NAME.layup.toml, a windIO or a PreVABS file",
+        .format.map(|title| format!(", but the format {title}")).unwrap_or_default()
+    )]
+    Format {
+        /// The format of a blade that it has.
+        format: Option<&'static str>,
+    },
     /// No airfoil, or several.
     #[error("[shape] has {found} of \"naca\", \"file\" and \"airfoils\", expected one of them")]
     Airfoil {
@@ -209,6 +218,11 @@ pub(super) type Located = (usize, LayupFileProblem);
 impl Explain for LayupFileProblem {
     fn help(&self) -> Option<String> {
         match self {
+            Self::Format { .. } => Some(
+                "sections come from the layers of a blade; \"beam-dynamics describe\" shows a blade that \
+                 has stiffnesses already"
+                    .into(),
+            ),
             Self::Airfoil { .. } => {
                 Some("naca = \"4415\", file = \"airfoil.dat\", or [[shape.airfoils]]".into())
             }
