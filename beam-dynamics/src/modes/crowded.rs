@@ -13,7 +13,7 @@
 
 use faer::c64;
 
-use super::copies::{is_independent, orthonormalize, product};
+use super::copies::{orthonormalize, product};
 use super::eigen::{CONFIRMED, EigenProblem};
 use super::eigenpair::Eigenpair;
 use super::sorted::{OVERDAMPED, Sorted};
@@ -29,6 +29,8 @@ const BESIDE: f64 = 1e-7;
 /// Imaginary part of an oscillation as a part of its magnitude: pairs below it, of a damping ratio above
 /// 0.95, are slow states that are coupled.
 const OSCILLATES: f64 = 0.3;
+/// Part of a unit vector outside of the space of the copies of its value above which it is a new one.
+const APART: f64 = 0.03;
 /// Overlap of the shapes without and with the lags, below which they are different modes.
 const SAME_SHAPE: f64 = 0.5;
 
@@ -50,19 +52,30 @@ impl EigenProblem<'_> {
         };
         let asked = found.len();
         let mut pairs: Vec<Eigenpair> = Vec::with_capacity(asked);
-        for corrected in found.into_iter().flatten() {
-            let is_near = |other: &&Eigenpair| {
-                (other.value() - corrected.value()).norm() <= CONFIRMED * corrected.value().norm()
-            };
-            let mut near: Vec<_> = pairs.iter().filter(is_near).cloned().collect();
-            near.push(corrected);
-            if is_independent(&near) {
-                pairs.extend(near.pop());
+        for pair in found.into_iter().flatten() {
+            if self.is_new(&pair, &pairs) {
+                pairs.push(pair);
             }
         }
         pairs.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
         let lost = asked - pairs.len();
         (pairs, lost)
+    }
+
+    /// Whether a pair is none of the known ones, and no combination of copies among them.
+    pub(super) fn is_new(&self, pair: &Eigenpair, known: &[Eigenpair]) -> bool {
+        let is_near = |other: &&Eigenpair| {
+            (other.value() - pair.value()).norm() <= CONFIRMED * pair.value().norm()
+        };
+        let near = known.iter().filter(is_near).map(Eigenpair::vector);
+        let mut basis: Vec<_> = near.collect();
+        orthonormalize(&mut basis, self.size());
+        let mut own = pair.vector();
+        orthonormalize(std::slice::from_mut(&mut own), self.size());
+        let parts = basis
+            .iter()
+            .map(|one| product(one, &own, self.size()).norm_sqr());
+        1.0 - parts.sum::<f64>() > APART * APART
     }
 
     /// The modes of lowest frequency of a system without lags of scalars, corrected in this one.

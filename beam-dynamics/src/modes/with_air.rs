@@ -69,10 +69,10 @@ impl EigenProblem<'_> {
             let problem = problems[step - 1].get_or_init(|| self.beside(tangent));
             problem.as_ref()
         };
-        let follow = |pair: Eigenpair| {
-            let (mut pair, mut at, mut stride) = (pair, 0, STEPS);
+        let follow = |pair: &Eigenpair, most: usize| {
+            let (mut pair, mut at, mut stride) = (pair.clone(), 0, most);
             while at < STEPS {
-                stride = stride.min(STEPS - at);
+                stride = stride.min(STEPS - at).min(most);
                 let problem = problem_at(at + stride);
                 let least = SAME[usize::from(stride > 1)];
                 match problem.and_then(|problem| problem.corrected(&pair, least)) {
@@ -86,6 +86,16 @@ impl EigenProblem<'_> {
             }
             Some(pair)
         };
-        found.into_iter().map(follow).collect()
+        // Where two modes exchange their shapes one of them may lead to the other: it is followed again,
+        // in all steps.
+        let mut known: Vec<Eigenpair> = Vec::with_capacity(found.len());
+        let follow_new = |pair: &Eigenpair| {
+            let strides = [STEPS, 1].into_iter();
+            let mut found = strides.filter_map(|most| follow(pair, most));
+            let new = found.find(|pair| self.is_new(pair, &known))?;
+            known.push(new.clone());
+            Some(new)
+        };
+        found.iter().map(follow_new).collect()
     }
 }

@@ -3,6 +3,8 @@
 //! Most of a figure remains white: only the squares of the sheet with drawn pixels need
 //! memory and time.
 
+use std::cell::RefCell;
+
 use super::color::Color;
 use super::raster;
 
@@ -34,6 +36,31 @@ pub(super) struct Sheet {
     /// Squares in a row of them.
     columns: usize,
     squares: Vec<Option<Box<Square>>>,
+}
+
+thread_local! {
+    /// Squares of earlier sheets of this thread: the system would have to clear new memory.
+    static UNUSED: RefCell<Vec<Option<Box<Square>>>> = const { RefCell::new(Vec::new()) };
+}
+
+fn white_square() -> Box<Square> {
+    const ALL: Square = [[WHITE; SIDE]; SIDE];
+    let unused = UNUSED.try_with(|unused| unused.borrow_mut().pop());
+    match unused.ok().flatten().flatten() {
+        Some(mut square) => {
+            *square = ALL;
+            square
+        }
+        None => Box::new(ALL),
+    }
+}
+
+impl Drop for Sheet {
+    fn drop(&mut self) {
+        let squares = self.squares.drain(..).filter(Option::is_some);
+        // at the end of the thread they are freed
+        let _kept = UNUSED.try_with(|unused| unused.borrow_mut().extend(squares));
+    }
 }
 
 impl Sheet {
@@ -99,7 +126,7 @@ impl Sheet {
             let stop = end.min((left + 1) * SIDE);
             let square = &mut self.squares[above * self.columns + left];
             if !(is_white && square.is_none()) {
-                let square = square.get_or_insert_with(|| Box::new([[WHITE; SIDE]; SIDE]));
+                let square = square.get_or_insert_with(white_square);
                 draw(at, &mut square[inside][first..first + stop - at]);
             }
             at = stop;
