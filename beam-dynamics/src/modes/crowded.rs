@@ -46,24 +46,31 @@ impl EigenProblem<'_> {
     /// The `count` oscillations of lowest frequency of a system without air, or without lags of
     /// scalars, that lead to one in this system; and how many lead to none.
     pub(super) fn beyond_the_crowd(&self, count: usize) -> (Vec<Eigenpair>, usize) {
-        let found = match self.half_air() {
+        let (mut pairs, lost) = match self.half_air() {
             Some(half) => self.followed_from_vacuum(half, count),
             None => self.without_lags(count),
         };
-        let asked = found.len();
-        let mut pairs: Vec<Eigenpair> = Vec::with_capacity(asked);
-        for pair in found.into_iter().flatten() {
-            if self.is_new(&pair, &pairs) {
-                pairs.push(pair);
-            }
-        }
         pairs.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
-        let lost = asked - pairs.len();
         (pairs, lost)
     }
 
+    /// The first new pair among the candidates of each mode, and how many modes have none.
+    pub(super) fn new_ones<C: Iterator<Item = Eigenpair>>(
+        &self,
+        modes: impl Iterator<Item = C>,
+    ) -> (Vec<Eigenpair>, usize) {
+        let (mut known, mut lost) = (Vec::new(), 0);
+        for mut candidates in modes {
+            match candidates.find(|pair| self.is_new(pair, &known)) {
+                Some(pair) => known.push(pair),
+                None => lost += 1,
+            }
+        }
+        (known, lost)
+    }
+
     /// Whether a pair is none of the known ones, and no combination of copies among them.
-    pub(super) fn is_new(&self, pair: &Eigenpair, known: &[Eigenpair]) -> bool {
+    fn is_new(&self, pair: &Eigenpair, known: &[Eigenpair]) -> bool {
         let is_near = |other: &&Eigenpair| {
             (other.value() - pair.value()).norm() <= CONFIRMED * pair.value().norm()
         };
@@ -79,16 +86,16 @@ impl EigenProblem<'_> {
     }
 
     /// The modes of lowest frequency of a system without lags of scalars, corrected in this one.
-    fn without_lags(&self, count: usize) -> Vec<Option<Eigenpair>> {
+    fn without_lags(&self, count: usize) -> (Vec<Eigenpair>, usize) {
         let Some(tangent) = self.without_circuits(self.tangent()) else {
-            return Vec::new();
+            return (Vec::new(), 0);
         };
         let Some(problem) = self.beside(&tangent) else {
-            return Vec::new();
+            return (Vec::new(), 0);
         };
         let found = problem.lowest_complete(count);
-        let corrected = found.iter().map(|pair| self.corrected(pair, SAME_SHAPE));
-        corrected.collect()
+        let corrected = |pair| self.corrected(pair, SAME_SHAPE).into_iter();
+        self.new_ones(found.iter().map(corrected))
     }
 
     /// The `count` oscillations of lowest frequency, and the other copies of the last one.

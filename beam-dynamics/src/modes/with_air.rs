@@ -39,13 +39,13 @@ fn mixed(whole: &Sparse, half: &Sparse, part: f64) -> Sparse {
 }
 
 impl EigenProblem<'_> {
-    /// The modes without air of the lowest `count` frequencies, followed into this system; `None` for
-    /// those that are lost on the way. `half` has half of the forces of the air.
+    /// The modes without air of the lowest `count` frequencies, followed into this system, and how
+    /// many are lost on the way. `half` has half of the forces of the air.
     pub(super) fn followed_from_vacuum(
         &self,
         half: &Tangent,
         count: usize,
-    ) -> Vec<Option<Eigenpair>> {
+    ) -> (Vec<Eigenpair>, usize) {
         let whole = self.tangent();
         let part = |step: usize| Tangent {
             by_unknowns: mixed(
@@ -56,10 +56,10 @@ impl EigenProblem<'_> {
             by_rates: mixed(&whole.by_rates, &half.by_rates, step as f64 / STEPS as f64),
         };
         let Some(vacuum) = self.without_circuits(&part(0)) else {
-            return Vec::new();
+            return (Vec::new(), 0);
         };
         let Some(problem) = self.beside(&vacuum) else {
-            return Vec::new();
+            return (Vec::new(), 0);
         };
         let found = problem.lowest_complete(count);
         let tangents: [OnceCell<Tangent>; STEPS] = Default::default();
@@ -88,14 +88,11 @@ impl EigenProblem<'_> {
         };
         // Where two modes exchange their shapes one of them may lead to the other: it is followed again,
         // in all steps.
-        let mut known: Vec<Eigenpair> = Vec::with_capacity(found.len());
-        let follow_new = |pair: &Eigenpair| {
+        let follow = &follow;
+        let candidates = |pair| {
             let strides = [STEPS, 1].into_iter();
-            let mut found = strides.filter_map(|most| follow(pair, most));
-            let new = found.find(|pair| self.is_new(pair, &known))?;
-            known.push(new.clone());
-            Some(new)
+            strides.filter_map(move |most| follow(pair, most))
         };
-        found.iter().map(follow_new).collect()
+        self.new_ones(found.iter().map(candidates))
     }
 }
