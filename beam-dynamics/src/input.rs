@@ -13,15 +13,15 @@ use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::file_kind::FileKind;
 use shared_geom::files::name_without;
 
-use crate::assembly::{massless, mechanism};
 use crate::case::{
     BucklingSettings, LinearSettings, Model, ModesSettings, OutputSettings, PeriodicSettings,
-    StabilitySettings, StaticSettings, TransientSettings, TrimMethod, TrimSettings,
+    StabilitySettings, StaticSettings, TransientSettings, TrimSettings,
 };
 use crate::result::Measured;
 
 mod aerodynamics;
 mod analyses;
+mod assembled;
 mod beam_card;
 mod beam_check;
 mod beam_properties;
@@ -125,7 +125,6 @@ pub use trim::TrimProblem;
 
 use analyses::Analyses;
 use builder::ModelBuilder;
-use motion_remarks::{free_hinges, free_parts, sampled};
 use rotors::Rotors;
 
 /// Ending of the names of dynamics inputs.
@@ -273,47 +272,9 @@ fn checked(
     }
     let input = cards(&document, name, (&rotors, linear));
     let input = input.filter(|_| rotors.is_ok());
-    let controls = trim::locations(&document.root_of(&schema::DYNAMICS_FILE));
-    let mut input = document.finish(input)?;
-    let mut problems = trim::problems(&input.model, controls);
-    let mobility = mechanism::find(&input.model.system);
-    let is_trimmed = (input.trim.as_ref()).is_some_and(|own| own.method == TrimMethod::Equilibrium);
-    let is_held = input.statics.is_some() || input.buckling.is_some() || is_trimmed;
-    let is_in_time = input.transient.is_some() || input.periodic.is_some();
-    let only_in_time = is_in_time && input.modes.is_none() && !is_held;
-    let is_free = input.modes.as_ref().is_some_and(|modes| modes.free);
-    // A part that is not held may move freely in time and in free modes, but it must have mass.
-    let may_move = only_in_time || is_free && !is_held;
-    let location = |node: &str| {
-        let mut nodes = input.model.system.nodes().iter().zip(&input.node_locations);
-        let found = nodes.find(|(own, _)| own.label == node);
-        found.map_or_else(
-            || SourceLocation::file(file),
-            |(_, location)| location.clone(),
-        )
-    };
-    for found in mobility.mechanisms.iter().filter(|_| !may_move) {
-        problems.push(location(&found.node), found);
-    }
-    let massless = if is_in_time || is_free {
-        massless::find(&input.model.system)
-    } else {
-        Vec::new()
-    };
-    for found in &massless {
-        problems.push(location(&found.node), found);
-    }
-    if !only_in_time {
-        input.remarks.extend(free_hinges(&mobility.free_hinges));
-    }
-    if is_free {
-        input.remarks.extend(free_parts(&mobility.mechanisms));
-    }
-    if input.modes.is_some() || is_held {
-        input.remarks.extend(sampled(&input.model));
-    }
-    input.free_hinges = mobility.free_hinges;
-    problems.into_result(input)
+    let root = document.root_of(&schema::DYNAMICS_FILE);
+    let locations = assembled::Locations::new(&root, file);
+    assembled::checked(document.finish(input)?, &locations)
 }
 
 /// The file's name without folder and ending, from which outputs are named.

@@ -25,7 +25,9 @@ pub use fixed::{FixedLine, FixedPoint, FixedTable};
 pub use identification::{Identification, IdentificationMethod, IdentifiedMode};
 pub use linear::{LinearModel, LinearVariable};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
-pub use periodic::{FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, Stability};
+pub use periodic::{
+    FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, SeenFrequency, Stability,
+};
 pub use stability::{
     BoundaryKind, StabilityBoundary, StabilityPoint, StabilityResult, StabilityRoot, StableSide,
 };

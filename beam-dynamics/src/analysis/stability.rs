@@ -10,6 +10,7 @@ pub mod follow;
 pub mod refine;
 mod request;
 mod scan;
+mod seen;
 mod source;
 mod touching;
 

@@ -1,10 +1,11 @@
 //! The requested motion in time: `[transient]`.
 
 use shared_geom::document::{Key, Table};
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, SourceLocation};
 
 use super::misplaced_keys::OF_TRANSIENT;
 use super::number::short_number;
+use crate::assembly::System;
 use crate::case::{Redundant, Start, StartAccelerations, StartShape, TransientSettings};
 use crate::integrator::{Jacobians, Scheme, StepControl, StepLimits, Stepping};
 
@@ -114,6 +115,15 @@ pub enum TransientProblem {
     /// A shape without an equilibrium to which it is added.
     #[error("\"shape\" is added to an equilibrium, but \"start\" is \"given\"")]
     IdleShape,
+    /// Stages at Gauss' points, with constraints: they are enforced at the ends of steps only.
+    #[error(
+        "\"scheme\" is \"gauss\", which cannot enforce constraints, but the model has {}",
+        counted(*.constraints)
+    )]
+    WithConstraints {
+        /// Number of constraint equations.
+        constraints: usize,
+    },
     /// Initial velocities without `[transient]`.
     #[error("node \"{node}\" has \"{key}\", but there is no [transient]")]
     IdleVelocity {
@@ -141,12 +151,23 @@ impl Explain for TransientProblem {
                 "use radius = 0.99, scheme = \"crank-nicolson\", or scheme = \"cubic\" with \
                  radius = 1, which conserves energy best"
             }
+            Self::WithConstraints { .. } => {
+                "use scheme = \"two-step\" or \"radau-iia\"; clamps, hinges, rods and joints are \
+                 constraints"
+            }
             Self::IdleSpeed => "write start = \"rotating\", or remove \"speed\"",
             Self::IdleShape => "write start = \"equilibrium\", or remove \"shape\"",
             Self::IdleVelocity { .. } => "add [transient] with \"to\" and \"step\", or remove it",
             Self::Range { .. } => return None,
         };
         Some(text.to_owned())
+    }
+}
+
+fn counted(constraints: usize) -> String {
+    match constraints {
+        1 => "one equation of constraint".to_owned(),
+        _ => format!("{constraints} equations of constraint"),
     }
 }
 
@@ -203,6 +224,24 @@ fn times(table: &Table<'_>) -> Option<[f64; 2]> {
         return None;
     }
     Some([from, to])
+}
+
+/// The place of `scheme` in `[transient]`, if both are there.
+pub(super) fn scheme_location(root: &Table<'_>) -> Option<SourceLocation> {
+    let is_there = root.has("transient") && root.is_table("transient");
+    let table = is_there.then(|| root.table("transient")).flatten()?;
+    let is_given = table.has(&SCHEME);
+    is_given.then(|| table.document().location(table.line_of(&SCHEME)))
+}
+
+/// The problem of a scheme that cannot enforce the constraints of `system`.
+pub(super) fn unenforced(
+    settings: Option<&TransientSettings>,
+    system: &System,
+) -> Option<TransientProblem> {
+    let constraints = system.numbering().multipliers();
+    let is_gauss = settings.is_some_and(|settings| settings.scheme == Scheme::CubicGauss);
+    (is_gauss && constraints > 0).then_some(TransientProblem::WithConstraints { constraints })
 }
 
 /// Reads `step`: a length, or limits; `length` is the length of the run, if it is known.

@@ -20,6 +20,17 @@ pub struct PeriodicPass {
 /// Size of the growth, in estimated errors, up to which it is not known.
 const DOUBTFUL: f64 = 2.0;
 
+/// A frequency at which a mode is seen in the fixed frame, beside the chosen one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeenFrequency {
+    /// The frequency [rad/s].
+    pub frequency: f64,
+    /// Share of the energy [-].
+    pub share: f64,
+    /// As [`FloquetMode::shape`], at this frequency.
+    pub shape: Vec<Complex<f64>>,
+}
+
 /// A characteristic multiplier with its mode; of a pair the one with the positive frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloquetMode {
@@ -31,8 +42,8 @@ pub struct FloquetMode {
     pub branch: i32,
     /// Share of the energy at the chosen frequency [-].
     pub share: f64,
-    /// Other frequencies [rad/s] and their shares [-], the largest first.
-    pub others: Vec<(f64, f64)>,
+    /// The other frequencies at which it is seen, the largest share first.
+    pub others: Vec<SeenFrequency>,
     /// Residual of the multiplier, `|M v - mu v| / |mu v|` [-].
     pub residual: f64,
     /// Estimated error of the exponent by the steps [1/s].

@@ -2,6 +2,8 @@
 
 use nalgebra::Complex;
 
+use super::SeenFrequency;
+
 /// A root: a mode of small motions with its exponent; of a pair the one with the positive frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StabilityRoot {
@@ -15,8 +17,12 @@ pub struct StabilityRoot {
     pub doubt: f64,
     /// Whether it is the free choice of the azimuth or of the time.
     pub is_neutral: bool,
-    /// Other frequencies with nearly as much energy [rad/s].
-    pub others: Vec<f64>,
+    /// Share of the energy at the frequency [-].
+    pub share: f64,
+    /// Frequency of the period of the motion, zero about an equilibrium [rad/s].
+    pub fundamental: f64,
+    /// Other frequencies at which it is seen.
+    pub others: Vec<SeenFrequency>,
     /// The motion as text.
     pub name: String,
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
@@ -42,6 +48,8 @@ impl StabilityRoot {
             },
             doubt: 0.0,
             is_neutral: false,
+            share: 1.0,
+            fundamental: 0.0,
             others: Vec::new(),
             name: String::new(),
             pattern: None,
@@ -82,23 +90,70 @@ impl StabilityRoot {
     /// MAC = |q_a^H p_b| |q_b^H p_a| / (|q_a^H p_a| |q_b^H p_b|)
     /// ```
     pub fn assurance(&self, other: &Self) -> Option<f64> {
-        let [a, b] = [&self.shape, &other.shape];
-        let mut lengths = a.iter().chain(b).map(Vec::len);
-        if a[0].is_empty() || lengths.any(|length| length != a[0].len()) {
-            return None;
-        }
-        let product = |q: &[Complex<f64>], p: &[Complex<f64>], conjugate: bool| {
-            let terms = q
-                .iter()
-                .zip(p)
-                .map(|(q, p)| if conjugate { q * p } else { q.conj() * p });
-            terms.sum::<Complex<f64>>().norm()
-        };
-        let own = product(&a[0], &a[1], false) * product(&b[0], &b[1], false);
-        let cross =
-            |conjugate| product(&a[0], &b[1], conjugate) * product(&b[0], &a[1], conjugate) / own;
-        (own > 0.0).then(|| f64::max(cross(false), cross(true)))
+        let [a, b] = [&self.shape, &other.shape].map(|shape| [&shape[0][..], &shape[1][..]]);
+        assurance(a, b)
     }
+
+    /// As [`Self::assurance`], where `other` is seen at one of its other frequencies.
+    pub fn assurance_with(&self, other: &SeenFrequency) -> Option<f64> {
+        assurance(self.shape.each_ref().map(Vec::as_slice), [&other.shape; 2])
+    }
+
+    /// Shows the root at its other frequency of this index in place of the one that it has.
+    pub fn show_at(&mut self, other: usize) {
+        if let Some(other) = self.others.get_mut(other) {
+            std::mem::swap(&mut self.exponent.im, &mut other.frequency);
+            std::mem::swap(&mut self.share, &mut other.share);
+            let own = std::mem::replace(&mut self.shape[0], other.shape.clone());
+            self.shape[1] = std::mem::replace(&mut other.shape, own);
+        }
+    }
+
+    /// The frequency that is `distance` fundamental ones from the shown one [rad/s].
+    pub(crate) fn shifted(&self, distance: i32) -> f64 {
+        (self.frequency() + f64::from(distance) * self.fundamental).abs()
+    }
+
+    /// Index of the other frequency that is `frequency` but for the part `same` of the fundamental one.
+    fn other_at(&self, frequency: f64, same: f64) -> Option<usize> {
+        let is_it = |own: f64| (own - frequency).abs() <= same * self.fundamental;
+        self.others.iter().position(|other| is_it(other.frequency))
+    }
+
+    /// Share of the energy at a frequency [-]; zero of one that is not listed.
+    pub(crate) fn share_at(&self, frequency: f64, same: f64) -> f64 {
+        if (frequency - self.frequency()).abs() <= same * self.fundamental {
+            return self.share;
+        }
+        let other = self.other_at(frequency, same);
+        other.map_or(0.0, |other| self.others[other].share)
+    }
+
+    /// Shows the root at a frequency, where it may have little energy.
+    pub(crate) fn show(&mut self, frequency: f64, same: f64) {
+        match self.other_at(frequency, same) {
+            Some(other) => self.show_at(other),
+            None => self.exponent.im = frequency,
+        }
+    }
+}
+
+/// The criterion of [`StabilityRoot::assurance`] of the motions and momenta `a` and `b`.
+fn assurance(a: [&[Complex<f64>]; 2], b: [&[Complex<f64>]; 2]) -> Option<f64> {
+    let mut lengths = a.iter().chain(&b).map(|part| part.len());
+    if a[0].is_empty() || lengths.any(|length| length != a[0].len()) {
+        return None;
+    }
+    let product = |q: &[Complex<f64>], p: &[Complex<f64>], conjugate: bool| {
+        let terms = q
+            .iter()
+            .zip(p)
+            .map(|(q, p)| if conjugate { q * p } else { q.conj() * p });
+        terms.sum::<Complex<f64>>().norm()
+    };
+    let own = product(a[0], a[1], false) * product(b[0], b[1], false);
+    let cross = |conjugate| product(a[0], b[1], conjugate) * product(b[0], a[1], conjugate) / own;
+    (own > 0.0).then(|| f64::max(cross(false), cross(true)))
 }
 
 /// The way in which stability is lost.

@@ -5,7 +5,7 @@
 //! ```
 
 use beam_dynamics::analysis::stability::{Scan, ScanSettings, scan};
-use beam_dynamics::result::{BoundaryKind, StabilityRoot, StableSide};
+use beam_dynamics::result::{BoundaryKind, SeenFrequency, StabilityRoot, StableSide};
 use nalgebra::Complex;
 
 use crate::periodic::Random;
@@ -85,6 +85,75 @@ fn random_crossings() {
         let mut expected = [0, 1].map(|k| (places[k], ["one", "two"][k], side(slopes[k])));
         assert_found(&found, &mut expected, 1e-9);
     }
+}
+
+// Two motions nu_k in axes that turn at Omega are seen at |nu_k - Omega|, nu_k and nu_k + Omega, each
+// with a shape of its own. The shares of the energy are random: at some values the largest is another
+// one, but over all values it is always the same, at which each mode is then shown.
+#[test]
+fn random_shares_of_the_energy() {
+    let mut random = Random(11);
+    let mut changes = 0;
+    for _ in 0..300 {
+        let rates = [0; 2].map(|_| [1.5 + 0.4 * random.next(), 0.4 * random.next()]);
+        let most = [0; 2].map(|_| ((1.5 * (1.0 + random.next())) as usize).min(2));
+        let settings = ScanSettings {
+            values: (0..9).map(|k| f64::from(k) / 8.0).collect(),
+            boundaries: false,
+            tolerance: 1e-10,
+        };
+        let seen_at = |k: usize, harmonic: usize, at: f64| {
+            let [rate, slope] = rates[k];
+            (rate + slope * at + (harmonic as f64 - 1.0) * (4.0 + 2.0 * at)).abs()
+        };
+        let mut evaluate = |at: f64| {
+            let roots = (0..2).map(|k| {
+                let mut seen: Vec<_> = (0..3)
+                    .map(|harmonic| {
+                        let middle = if harmonic == most[k] { 0.39 } else { 0.3 };
+                        let mut shape = vec![Complex::new(0.0, 0.0); 6];
+                        shape[3 * k + harmonic] = Complex::new(1.0, 0.0);
+                        SeenFrequency {
+                            frequency: seen_at(k, harmonic, at),
+                            share: middle
+                                + if harmonic == most[k] { 0.05 } else { 0.1 } * random.next(),
+                            shape,
+                        }
+                    })
+                    .collect();
+                seen.sort_by(|a, b| b.share.total_cmp(&a.share));
+                let first = seen.remove(0);
+                changes += usize::from(first.frequency != seen_at(k, most[k], at));
+                StabilityRoot {
+                    shape: [first.shape.clone(), first.shape],
+                    share: first.share,
+                    fundamental: 4.0 + 2.0 * at,
+                    others: seen,
+                    ..StabilityRoot::new(Complex::new(-1.0, first.frequency))
+                }
+            });
+            Ok(roots.collect())
+        };
+        let found = scan(&settings, &mut evaluate);
+        assert_eq!(found.modes.len(), 2);
+        let order = |k: usize| {
+            let first = found.points[0].root_of(k).map(StabilityRoot::frequency);
+            let is_it = |own: &usize| first == Some(seen_at(*own, most[*own], 0.0));
+            (0..2).find(is_it)
+        };
+        for mode in 0..2 {
+            let k = order(mode).unwrap_or_else(|| panic!("{most:?} {:#?}", found.points[0]));
+            for point in &found.points {
+                let shown = point.root_of(mode).map(StabilityRoot::frequency);
+                assert_eq!(
+                    shown,
+                    Some(seen_at(k, most[k], point.at)),
+                    "{rates:?} {most:?}"
+                );
+            }
+        }
+    }
+    assert!(changes > 300, "{changes}");
 }
 
 // A growth with a narrow maximum or minimum beyond zero: both crossings lie between two values.

@@ -18,7 +18,7 @@ use super::content::Observer;
 use super::map::PeriodMap;
 use crate::case::FloquetSettings;
 use crate::model::NODE_UNKNOWNS;
-use crate::result::{FloquetMode, FloquetTable};
+use crate::result::{FloquetMode, FloquetTable, SeenFrequency};
 use crate::solver::{Largest, LinearMap, Ritz, largest};
 
 /// Multipliers below this are round-off [-].
@@ -139,22 +139,30 @@ fn mode(
         .shares
         .iter()
         .filter(|own| own.0 != branch && own.1 > LISTED);
-    let mut shape = content.shape(branch);
-    if principal.im + f64::from(branch) * base < 0.0 {
-        shape.iter_mut().for_each(|entry| *entry = entry.conj());
-    }
+    let shape = |m: i32| {
+        let mut shape = content.shape(m);
+        if principal.im + f64::from(m) * base < 0.0 {
+            shape.iter_mut().for_each(|entry| *entry = entry.conj());
+        }
+        shape
+    };
+    let seen = |own: &(i32, f64, String)| SeenFrequency {
+        frequency: frequency(own.0),
+        share: own.1,
+        shape: shape(own.0),
+    };
     FloquetMode {
         multiplier,
         exponent: Complex::new(principal.re, frequency(branch)),
         branch,
         share: chosen.map_or(0.0, |own| own.1),
-        others: others.map(|own| (frequency(own.0), own.1)).collect(),
+        others: others.map(seen).collect(),
         residual,
         error: None,
         name: chosen
             .or(content.shares.first())
             .map_or_else(String::new, |own| own.2.clone()),
-        shape,
+        shape: shape(branch),
         is_neutral: (multiplier - 1.0).norm() < NEUTRAL,
     }
 }

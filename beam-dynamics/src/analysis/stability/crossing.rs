@@ -44,7 +44,7 @@ impl Growth {
                 expected.iter_mut().for_each(|end| end.exponent = between);
                 let size = size(roots.iter());
                 let cost = |root: &StabilityRoot| {
-                    let costs = expected.iter().map(|end| cost(end, root, size)[0]);
+                    let costs = expected.iter().map(|end| cost(end, root, size).0);
                     costs.fold(f64::INFINITY, f64::min)
                 };
                 let costs = roots.iter().map(cost).enumerate();
@@ -173,14 +173,16 @@ impl Search<'_, '_> {
         let index = growth.index(at, &roots, neutral).unwrap_or(0);
         let left = roots[index].growth() - zero;
         let change = (first.growth() - last.growth()).abs();
-        let (index, name) = self.named(&roots, index, SMALL * change);
+        let (index, other, name) = self.named(&roots, index, SMALL * change);
         if left.abs() > JUMP * change {
             return Err((at, unresolved("the growth jumps")));
         }
         Ok(StabilityBoundary {
             at,
             kind: unstable.kind,
-            frequency: roots[index].frequency(),
+            frequency: other.map_or(roots[index].frequency(), |other| {
+                roots[index].others[other].frequency
+            }),
             growth: roots[index].growth(),
             name,
             stable,
@@ -189,8 +191,13 @@ impl Search<'_, '_> {
     }
 
     /// The root at `index`, or, if its mode has a boundary in this interval, another one whose growth is
-    /// `small` \[1/s\], too; and the name of its mode.
-    fn named(&mut self, roots: &[StabilityRoot], index: usize, small: f64) -> (usize, String) {
+    /// `small` \[1/s\], too; the other frequency at which it is shown; and the name of its mode.
+    fn named(
+        &mut self,
+        roots: &[StabilityRoot],
+        index: usize,
+        small: f64,
+    ) -> (usize, Option<usize>, String) {
         let [a, b] = self.ends;
         let nearer = match (roots.is_empty(), a.roots.is_empty()) {
             (false, false) => a,
@@ -199,7 +206,7 @@ impl Search<'_, '_> {
         let mut modes = vec![None; roots.len()];
         for (link, mode) in links(&nearer.roots, roots).into_iter().zip(&nearer.modes) {
             if let Some(link) = link {
-                modes[link.to] = Some(*mode);
+                modes[link.to] = Some((*mode, link.other));
             }
         }
         let mut all: Vec<_> = (0..roots.len()).collect();
@@ -207,18 +214,17 @@ impl Search<'_, '_> {
         all.sort_by(|a, b| size(a).total_cmp(&size(b)));
         all.sort_by_key(|other| *other != index);
         let is_free = |other: &usize| {
-            let is_used = modes[*other].is_some_and(|mode| self.used.contains(&mode));
+            let is_used = modes[*other].is_some_and(|own| self.used.contains(&own.0));
             !is_used && (*other == index || size(other) <= small)
         };
         let chosen = all.into_iter().find(is_free).unwrap_or(index);
-        let name = match modes[chosen] {
-            Some(mode) => {
+        match modes[chosen] {
+            Some((mode, other)) => {
                 self.used.push(mode);
-                self.modes[mode].clone()
+                (chosen, other, self.modes[mode].clone())
             }
-            None => roots[chosen].name.clone(),
-        };
-        (chosen, name)
+            None => (chosen, None, roots[chosen].name.clone()),
+        }
     }
 }
 

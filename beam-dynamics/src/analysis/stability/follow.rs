@@ -6,8 +6,8 @@
 //!
 //! Pairs are taken by rising c, each root once; whirls of a rotor that differ in their number of
 //! waves are no pair, since the conjugate of a forward whirl has the shape of a backward one. Where
-//! the energy of a mode is shared by several frequencies, the one that is nearest to the frequency
-//! before is kept.
+//! the energy of a mode is shared by several frequencies, c is the least one of them, each with the
+//! shape that it has there, and the mode continues at that frequency.
 
 use crate::result::{StabilityPoint, StabilityRoot};
 
@@ -17,16 +17,16 @@ const WEIGHT: f64 = 3.0;
 const SAME: f64 = 2.0;
 /// Distance of exponents, in s_0, up to which roots of any shapes are the same.
 const NEAR: f64 = 0.1;
-/// Assurance of frequencies beside the one whose shape is known.
-const BESIDE: f64 = 0.7;
+/// Part of the energy at the chosen frequency above which a mode may be followed at another one.
+const SEEN: f64 = 0.3;
 
 /// The continuation of a root.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
     /// Its index among the roots after.
     pub to: usize,
-    /// The frequency at which it is continued \[rad/s\].
-    pub frequency: f64,
+    /// The other frequency of it at which it is continued.
+    pub other: Option<usize>,
 }
 
 /// The mean magnitude of the exponents \[1/s\]; one if all are zero.
@@ -39,22 +39,22 @@ pub(super) fn size<'a>(roots: impl Iterator<Item = &'a StabilityRoot>) -> f64 {
     if sum > 0.0 { sum / count } else { 1.0 }
 }
 
-/// Cost of the pair of two roots, its distance of the exponents, and the frequency of the second one.
-pub(super) fn cost(a: &StabilityRoot, b: &StabilityRoot, size: f64) -> [f64; 3] {
-    let distance =
-        |frequency: f64| (b.growth() - a.growth()).hypot(frequency - a.frequency()) / size;
-    let own = b.assurance(a).unwrap_or(1.0);
-    let known = (b.frequency(), own);
-    let others = b.others.iter().map(|frequency| (*frequency, BESIDE));
-    let costs = std::iter::once(known)
-        .chain(others)
-        .map(|(frequency, mac)| {
-            let distance = distance(frequency);
-            [distance + WEIGHT * (1.0 - mac), distance, frequency]
-        });
-    costs
-        .reduce(|a, b| if b[0] < a[0] { b } else { a })
-        .unwrap_or([f64::INFINITY; 3])
+/// Cost of the pair of two roots, its distance of the exponents, and the other frequency of the second
+/// root at which it is least, if it is not at the one that it has.
+pub(super) fn cost(a: &StabilityRoot, b: &StabilityRoot, size: f64) -> (f64, f64, Option<usize>) {
+    let cost = |frequency: f64, mac: Option<f64>, other| {
+        let distance = (b.growth() - a.growth()).hypot(frequency - a.frequency()) / size;
+        (
+            distance + WEIGHT * (1.0 - mac.unwrap_or(1.0)),
+            distance,
+            other,
+        )
+    };
+    let own = cost(b.frequency(), b.assurance(a), None);
+    let others = b.others.iter().enumerate();
+    let others = others.filter(|(_, seen)| seen.share > SEEN * b.share);
+    let others = others.map(|(k, seen)| cost(seen.frequency, a.assurance_with(seen), Some(k)));
+    others.fold(own, |a, b| if b.0 < a.0 { b } else { a })
 }
 
 /// For each root before, its continuation among the roots after.
@@ -63,11 +63,11 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     let mut pairs = Vec::new();
     for (i, a) in before.iter().enumerate() {
         for (j, b) in after.iter().enumerate() {
-            let [cost, distance, frequency] = cost(a, b, size);
+            let (cost, distance, other) = cost(a, b, size);
             let differ = a.waves.zip(b.waves).is_some_and(|(a, b)| a != b);
             let is_alike = a.is_neutral == b.is_neutral && !differ;
             if is_alike && (cost < SAME || distance < NEAR) {
-                pairs.push((cost, i, Link { to: j, frequency }));
+                pairs.push((cost, i, Link { to: j, other }));
             }
         }
     }
@@ -82,32 +82,61 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     found
 }
 
-/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. New
+/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. A
+/// mode that was missing continues where a root of its name and pattern is near to its last one. New
 /// modes of a point are named by ascending frequency.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
+    // The last root of each mode.
+    let mut last: Vec<StabilityRoot> = Vec::new();
     for index in 0..points.len() {
         let (before, rest) = points.split_at_mut(index);
-        let point = &mut rest[0];
-        let mut modes = vec![None; point.roots.len()];
-        if let Some(before) = before.last() {
-            for (i, link) in links(&before.roots, &point.roots).into_iter().enumerate() {
-                if let Some(link) = link {
-                    point.roots[link.to].exponent.im = link.frequency;
-                    modes[link.to] = Some(before.modes[i]);
-                }
-            }
-        }
+        let roots = &mut rest[0].roots;
+        let mut modes = vec![None; roots.len()];
+        let present = before.last().map_or(&[][..], |before| &before.modes);
+        let absent: Vec<_> = (0..last.len())
+            .filter(|mode| !present.contains(mode))
+            .collect();
+        continued(present, (&last, false), roots, &mut modes);
+        continued(&absent, (&last, true), roots, &mut modes);
         let mut new: Vec<_> = (0..modes.len()).filter(|i| modes[*i].is_none()).collect();
-        let frequency = |index: &usize| point.roots[*index].frequency();
+        let frequency = |index: &usize| roots[*index].frequency();
         new.sort_by(|a, b| frequency(a).total_cmp(&frequency(b)));
         for index in new {
-            names.push(new_name(&names, &point.roots[index]));
+            names.push(new_name(&names, &roots[index]));
+            last.push(roots[index].clone());
             modes[index] = Some(names.len() - 1);
         }
-        point.modes = modes.into_iter().flatten().collect();
+        let modes: Vec<_> = modes.into_iter().flatten().collect();
+        for (root, mode) in roots.iter().zip(&modes) {
+            last[*mode].clone_from(root);
+        }
+        rest[0].modes = modes;
     }
     names
+}
+
+/// Gives roots without a mode the ones of `candidates` that they continue, from the last root of each.
+/// Modes that were `absent` have the names of the roots.
+fn continued(
+    candidates: &[usize],
+    (last, absent): (&[StabilityRoot], bool),
+    roots: &mut [StabilityRoot],
+    modes: &mut [Option<usize>],
+) {
+    let free: Vec<_> = (0..roots.len()).filter(|i| modes[*i].is_none()).collect();
+    let before: Vec<_> = candidates.iter().map(|mode| last[*mode].clone()).collect();
+    let after: Vec<_> = free.iter().map(|index| roots[*index].clone()).collect();
+    let key = |root: &StabilityRoot| (root.name.clone(), root.pattern.clone());
+    for (i, link) in links(&before, &after).into_iter().enumerate() {
+        let Some(link) = link else { continue };
+        if !absent || key(&before[i]) == key(&after[link.to]) {
+            if let Some(other) = link.other {
+                roots[free[link.to]].show_at(other);
+            }
+            modes[free[link.to]] = Some(candidates[i]);
+        }
+    }
 }
 
 /// A name that no mode has.
@@ -123,4 +152,41 @@ fn new_name(names: &[String], root: &StabilityRoot) -> String {
     numbers
         .find(|name| !names.contains(name))
         .unwrap_or_else(|| stem.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Complex;
+
+    use super::*;
+
+    fn point(roots: &[(&str, f64)]) -> StabilityPoint {
+        let root = |(name, frequency): &(&str, f64)| {
+            let mut root = StabilityRoot::new(Complex::new(-1.0, *frequency));
+            root.name = (*name).to_owned();
+            root.pattern = Some(String::new());
+            root
+        };
+        StabilityPoint {
+            at: 0.0,
+            is_requested: true,
+            roots: roots.iter().map(root).collect(),
+            modes: Vec::new(),
+            controls: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_mode_that_was_missing_keeps_its_number() {
+        let both = [("edge", 4.0), ("flap", 10.0), ("flap", 20.0)];
+        let mut points = [&both[..], &both[..2], &both[..1], &both].map(point);
+        assert_eq!(number(&mut points), ["edge 1", "flap 1", "flap 2"]);
+        assert_eq!(points[3].modes, [0, 1, 2]);
+        // Another motion at the place of the missing one is another mode.
+        let other = [("edge", 4.0), ("torsion", 10.0), ("flap", 20.0)];
+        let mut points = [&both[..], &both[..1], &other].map(point);
+        let expected = ["edge 1", "flap 1", "flap 2", "torsion 1"];
+        assert_eq!(number(&mut points), expected);
+        assert_eq!(points[2].modes, [0, 3, 2]);
+    }
 }

@@ -10,6 +10,7 @@
 use super::crossing;
 use super::follow::{links, number};
 use super::request::{Evaluate, ScanSettings};
+use super::seen::show_most;
 use super::touching;
 use crate::result::{StabilityBoundary, StabilityPoint, StabilityRoot};
 
@@ -50,6 +51,7 @@ pub fn scan(settings: &ScanSettings, evaluate: Evaluate<'_>) -> Scan {
     }
     let mut scan = scanner.scan;
     scan.modes = number(&mut scan.points);
+    show_most(&mut scan.points, scan.modes.len());
     if settings.boundaries {
         let mut found = touching::touching(settings, &scan.points, &scan.modes);
         for index in 1..scan.points.len() {

@@ -30,8 +30,6 @@ const LEAST: usize = 10;
 const COMPUTED: [usize; 2] = [20, 400];
 /// Growth of an oscillation, relative to its exponent, that is round-off.
 const ROUND_OFF: f64 = 1e-8;
-/// Part of the energy at the chosen frequency above which another frequency is as good.
-const AS_GOOD: f64 = 0.8;
 /// Growth in estimated errors up to which it is not known.
 const DOUBTFUL: f64 = 2.0;
 
@@ -381,16 +379,14 @@ fn root_of_period(mode: &FloquetMode, period: f64) -> StabilityRoot {
         _ => BoundaryKind::HalfRate,
     };
     let floor = ROUND_OFF * mode.exponent.norm().max(1.0 / period);
-    let others = mode
-        .others
-        .iter()
-        .filter(|own| own.1 > AS_GOOD * mode.share);
     StabilityRoot {
         multiplier: Some(mode.multiplier),
         kind,
         doubt: floor.max(DOUBTFUL * mode.error.unwrap_or(0.0)),
         is_neutral: mode.is_neutral,
-        others: others.map(|own| own.0).collect(),
+        share: mode.share,
+        fundamental: TAU / period,
+        others: mode.others.clone(),
         name: mode.name.clone(),
         shape: [mode.shape.clone(), mode.shape.clone()],
         ..StabilityRoot::new(mode.exponent)

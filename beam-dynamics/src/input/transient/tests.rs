@@ -39,6 +39,26 @@ fn a_body_that_flies_is_a_model_in_time() {
     assert!((spin.z - 2.0 * std::f64::consts::PI).abs() < 1e-14);
 }
 
+/// Without constraints the stages at Gauss' points determine all unknowns; with them they do not.
+#[test]
+fn a_scheme_that_cannot_enforce_constraints_is_refused_with_them() {
+    let run = "[transient]\nto = 1\nscheme = \"gauss\"\nstep = 0.1\n";
+    assert!(read(&format!("{BODY}{run}")).is_ok());
+    let rod = "[[joint]]\nname = \"rod\"\nkind = \"distance\"\nnodes = [\"a\"]\n\
+               from = [0, 0, 0]\nlength = 1\n";
+    let held = format!("{BODY}{rod}{run}");
+    let text = read(&held).err().unwrap();
+    let line = held.lines().position(|line| line.contains("gauss"));
+    let start = format!(
+        "a.dynamics.toml:{}: \"scheme\" is \"gauss\"",
+        line.unwrap() + 1
+    );
+    assert!(text.contains(&start), "{text}");
+    assert!(text.contains("one equation of constraint"), "{text}");
+    assert!(text.contains("\"two-step\" or \"radau-iia\""), "{text}");
+    assert!(read(&held.replace("gauss", "radau-iia")).is_ok());
+}
+
 #[test]
 fn every_key_of_the_card_is_read() {
     let card = "from = 1\nto = \"3000 ms\"\nscheme = \"cubic\"\nradius = 0.3\n\

@@ -31,7 +31,7 @@ pub(in crate::input) fn locations(root: &Table<'_>) -> Vec<(String, SourceLocati
 /// Problems of the controls whose unknown no other element reads: nothing determines them.
 pub(in crate::input) fn problems(
     model: &Model,
-    controls: Vec<(String, SourceLocation)>,
+    controls: &[(String, SourceLocation)],
 ) -> Diagnostics {
     let mut problems = Diagnostics::new();
     for (name, location) in controls {
@@ -44,7 +44,8 @@ pub(in crate::input) fn problems(
         };
         let mut others = model.system.elements().filter(|element| !is_own(element));
         if !others.any(|element| element.scalars().contains(control)) {
-            problems.push(location, &TrimProblem::Unused { name });
+            let name = name.clone();
+            problems.push(location.clone(), &TrimProblem::Unused { name });
         }
     }
     problems

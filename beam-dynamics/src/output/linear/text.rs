@@ -10,8 +10,9 @@ use crate::result::{LinearModel, LinearVariable};
 const SHOWN: usize = 40;
 /// Digits of numbers.
 const DIGITS: usize = 7;
-/// Damping ratios up to this are written as zero [-].
-const ROUND_OFF: f64 = 1e-12;
+/// Round-off of the growth of an eigenvalue, as a part of the largest eigenvalue: some tens of the
+/// round-off of numbers, as the error of all of them is that of the matrix [-].
+const ROUND_OFF: f64 = 1e-14;
 
 /// States, inputs, outputs, gains at rest, and the smallest eigenvalues.
 pub fn linear_text(model: &LinearModel) -> String {
@@ -46,23 +47,21 @@ fn listed(variables: &[LinearVariable]) -> String {
     aligned(&variables.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Damping ratio of an eigenvalue, or zero if it is round-off [-].
-fn ratio(own: &nalgebra::Complex<f64>) -> f64 {
-    let ratio = -own.re / own.norm();
-    if ratio.abs() > ROUND_OFF { ratio } else { 0.0 }
-}
-
 fn eigenvalues(model: &LinearModel) -> String {
     let heading = ["  growth [1/s]", "frequency [Hz]", "damping [-]"];
     let all = model.eigenvalues.iter().filter(|own| own.im >= 0.0);
+    let norms = model.eigenvalues.iter().map(|own| own.norm());
+    let limit = ROUND_OFF * norms.fold(0.0, f64::max);
     let row = |own: &nalgebra::Complex<f64>| {
+        let growth = if own.re.abs() > limit { own.re } else { 0.0 };
         let damping = if own.im > 0.0 {
-            short_number(ratio(own), DIGITS)
+            // Not "-0".
+            short_number(0.0 - growth / own.norm(), DIGITS)
         } else {
             String::new()
         };
         vec![
-            format!("  {}", short_number(own.re, DIGITS)),
+            format!("  {}", short_number(growth, DIGITS)),
             short_number(own.im / TAU, DIGITS),
             damping,
         ]
@@ -76,4 +75,42 @@ fn eigenvalues(model: &LinearModel) -> String {
         String::new()
     };
     aligned(&rows) + &rest
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Complex, DMatrix};
+
+    use super::*;
+
+    #[test]
+    fn growth_within_the_round_off_of_the_largest_eigenvalue_is_zero() {
+        let none = || DMatrix::zeros(0, 0);
+        let mut model = LinearModel {
+            name: "a".to_owned(),
+            about: "rest".to_owned(),
+            speed: 0.0,
+            states: Vec::new(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            a: none(),
+            b: none(),
+            c: none(),
+            d: none(),
+            eigenvalues: vec![Complex::new(3e-12, TAU), Complex::new(-0.1, 1e3)],
+            residual: 0.0,
+            remarks: Vec::new(),
+        };
+        let first = |model: &LinearModel| {
+            let text = eigenvalues(model);
+            let row = text.lines().nth(1).map(|row| row.split_whitespace());
+            row.into_iter()
+                .flatten()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(first(&model), ["0", "1", "0"]);
+        model.eigenvalues[0].re = 3e-11;
+        assert_eq!(first(&model)[0], "3e-11");
+    }
 }

@@ -121,10 +121,11 @@ fn row(index: usize, mode: &FloquetMode, period: f64) -> String {
         mode.share,
         mode.name
     );
-    for (frequency, share) in &mode.others {
+    for other in &mode.others {
         row.push_str(&format!(
-            "; {} Hz {share:.2}",
-            short_number(frequency / TAU, 5)
+            "; {} Hz {:.2}",
+            short_number(other.frequency / TAU, 5),
+            other.share
         ));
     }
     row.push('\n');
