@@ -1,13 +1,15 @@
 //! Performance of rigid rotors: turbines, propellers and lifting rotors in steady wind.
 //!
 //! [`RigidRotor::performance`] is a pure function: annular momentum at each station and azimuth,
-//! the trapezoidal rule along the span with zero loads at hub and tip, the mean over the azimuth.
+//! the trapezoidal rule along the span with zero loads at hub and tip, the mean over the azimuth;
+//! [`RigidRotor::with_panels`] gives a blade of few stations enough of them.
 //! The core has the signs of propellers; [`Machine`] converts at the border.
 
 mod balance;
 mod blade;
 mod coefficients;
 mod operating;
+mod panels;
 mod performance;
 
 pub use balance::{BalanceOutcome, balanced_speed, pitch_for_power};

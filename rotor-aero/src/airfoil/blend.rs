@@ -123,7 +123,7 @@ impl Section {
     }
 
     /// The section between two sections, linear in the share of the second.
-    fn between(low: &Self, high: &Self, share: f64) -> Result<Self, BlendProblem> {
+    pub(crate) fn between(low: &Self, high: &Self, share: f64) -> Result<Self, BlendProblem> {
         let mut parts: Vec<(f64, Arc<Airfoil>)> = Vec::new();
         for (section, factor) in [(low, 1.0 - share), (high, share)] {
             for (weight, airfoil) in section.parts() {

@@ -1,5 +1,5 @@
-//! The steady state of a ring in descent, where the air comes against the induced velocity of hover:
-//! by the relation of velocities, whose one branch leads from hover to the windmill.
+//! The steady state of a ring in hover, and in descent, where the air comes against the induced velocity
+//! of hover: by the relation of velocities, whose one branch leads from hover to the windmill.
 //!
 //! ```text
 //! u m = (sigma / 4 F) W^2 cn,  v m = (sigma / 4 F) W^2 ct,  u = W sin phi - Vx,  v = Vy - W cos phi
@@ -36,7 +36,7 @@ struct Trial {
     size: f64,
 }
 
-/// Induced velocities through the disk and along the motion at the velocities `vx < 0` and `vy`
+/// Induced velocities through the disk and along the motion at the velocities `vx` and `vy`
 /// \[m/s\], and the angle of the flow \[rad\]. `None` if no angle is in balance.
 pub(super) fn solve(
     annulus: &Annulus,

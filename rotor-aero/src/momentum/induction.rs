@@ -15,11 +15,12 @@ use crate::real::Real;
 /// Law for an induction factor beyond .4.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum HighInduction {
-    /// Buhl's parabola with the factor of loss inside: CT is 2 at `a = 1`, whatever the loss.
-    #[default]
+    /// Buhl's parabola with the factor of loss inside: CT is 2 at `a = 1`, whatever the loss. For
+    /// comparison with programs that use it; it jumps in hover where `F < .69`.
     Buhl,
     /// Buhl's parabola without loss, times the factor of loss: CT tends to zero with it, and the
     /// law is continuous in hover.
+    #[default]
     BuhlOutside,
     /// The polynomial of HAWC2, for all positive loads.
     Polynomial,

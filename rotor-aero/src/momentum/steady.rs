@@ -11,7 +11,7 @@
 //! (2021) 1227, for the general form, in which the sign of `k'` follows Vx. Here it follows phi: the
 //! air that passes the disk, in either direction, takes swirl in the direction of the torque. The
 //! forms differ only where the flow through the disk is against Vx. A root is bracketed in one of
-//! the four quadrants. In descent, Vx < 0, the state is the one of [`descent`].
+//! the four quadrants. In hover and descent, `Vx < .001 |Vy|`, the state is the one of [`descent`].
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -24,7 +24,8 @@ use crate::momentum::loss::loss;
 /// Distance of the brackets from the axes \[rad\].
 const EDGE: f64 = 1e-6;
 
-/// Smallest |Vx / Vy|: hover is the limit of climb, with its swirl.
+/// Vx / Vy of climb below which the state is the one of hover and descent, by velocities: the form by
+/// the angle has induction factors, which are infinite in hover.
 const LEAST_AXIAL: f64 = 1e-3;
 
 /// Smallest |Vy / Vx|.
@@ -106,8 +107,8 @@ pub fn solve(
     if !(vx.is_finite() && vy.is_finite()) {
         return ring.without_induction(Outcome::Unsolved);
     }
-    let found = if ring.vx < 0.0 && vy != 0.0 {
-        let found = descent::solve(annulus, pitch, (ring.vx, ring.vy), &ring.section);
+    let found = if vy != 0.0 && vx < LEAST_AXIAL * vy.abs() {
+        let found = descent::solve(annulus, pitch, (vx, ring.vy), &ring.section);
         found.map(|((axial, swirl), phi)| ring.solution(phi, axial, swirl))
     } else {
         ring.angle().map(|phi| {
@@ -142,11 +143,7 @@ impl<'a, S: Fn(f64) -> Coefficients<f64>> Ring<'a, S> {
             annulus,
             pitch,
             given: (vx, vy),
-            vx: if vx < 0.0 {
-                vx
-            } else {
-                at_least(vx, LEAST_AXIAL * vy.abs())
-            },
+            vx,
             vy: at_least(vy, LEAST_IN_PLANE * vx.abs()),
             solidity: annulus.solidity(),
             section,

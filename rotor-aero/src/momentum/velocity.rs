@@ -13,8 +13,8 @@
 //! which needs no solution in a step. Where `a < .4` the steady state is the state of
 //! [`solve`](crate::momentum::solve); above it the swirl differs, since it uses `m` too.
 //!
-//! In descent choose [`HighInduction::BuhlOutside`]: it is continuous at `Vx = 0`, while the form
-//! with the factor of loss inside is not where `F < .69`.
+//! [`HighInduction::BuhlOutside`] is continuous at `Vx = 0`, while [`HighInduction::Buhl`], with the
+//! factor of loss inside, is not where `F < .69`: it is for comparisons in axial flow.
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::{Annulus, SectionFlow};

@@ -6,7 +6,7 @@
 use crate::support::apc::Compressible;
 use crate::support::{Shared, json, nrel5mw, number};
 use rotor_aero::airfoil::{Coefficients, Flow, Profile};
-use rotor_aero::momentum::{Ambient, Annulus, HighInduction, Options, induced_flow};
+use rotor_aero::momentum::{Ambient, Annulus, HighInduction, induced_flow};
 use rotor_aero::wake::{FilterState, Forcing, TimeScale, disk_mean, forcing, rates};
 
 /// A strip of a blade with its wake.
@@ -37,7 +37,7 @@ impl Rotor<Shared> {
                 tip_radius: rotor.tip_radius,
                 blades: 3,
                 chord: station.chord,
-                options: Options::default(),
+                options: rotor.options,
             },
             twist: station.twist,
             section: station.section.clone(),

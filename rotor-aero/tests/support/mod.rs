@@ -123,7 +123,7 @@ pub fn nrel5mw_with(change: impl Fn(Vec<Vec<f64>>) -> Vec<Vec<f64>>) -> RigidRot
         yaw: 0.0,
         hub_height: 90.0,
         stations,
-        options: Options::default(),
+        options: law(HighInduction::Buhl),
         annulus_radius: AnnulusRadius::AlongBlade,
         skewed_wake: false,
         sectors: 4,

@@ -17,10 +17,11 @@ keys! {
     /// Drag in the induction around the axis; the loads contain it in any case.
     pub(in crate::input) TANGENTIAL_DRAG: bool = "tangential_drag", [Boolean], or "true" = true,
         "false";
-    /// Induction beyond the limits of momentum: Buhl's parabola with the loss inside or outside of
-    /// it, the polynomial of HAWC2, or momentum alone.
+    /// Induction beyond the limits of momentum: Buhl's parabola with the loss outside of it, which is
+    /// continuous in hover, or inside, as in AeroDyn and CCBlade; the polynomial of HAWC2, or momentum
+    /// alone.
     pub(in crate::input) HIGH_INDUCTION: usize = "high_induction",
-        [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl\"" = 0,
+        [Word(&["Buhl", "Buhl outside", "polynomial", "momentum"])], or "\"Buhl outside\"" = 1,
         "\"polynomial\"";
 }
 

@@ -46,6 +46,13 @@ keys! {
     /// Number of azimuths over which loads are averaged.
     SECTORS: Option<usize> = "sectors", [Count(360)],
         or "1 in axial flow, else 8", "36";
+    /// Points at which the loads are computed and summed: panels, dense at both ends, between which and
+    /// the stations the shape is linear; or the stations alone, with zero loads at hub and tip, as in
+    /// programs for comparison.
+    INTEGRATION: usize = "integration", [Word(&["panels", "stations"])], or "\"panels\"" = 0,
+        "\"stations\"";
+    /// Number of panels.
+    PANELS: Option<usize> = "panels", [Count(2000)], or "60", "120";
     /// Stations from the hub to the tip.
     STATIONS: ByHand = "stations", [Tables(&stations::CARD)], optional, "";
     /// Mach numbers of operating points beyond the tables of an airfoil: an error, or the values
@@ -62,6 +69,9 @@ pub(super) const WORDS: [&str; 3] = ["turbine", "propeller", "helicopter"];
 
 /// Azimuths of a rotor in oblique or sheared flow.
 const SECTORS_OBLIQUE: usize = 8;
+
+/// Panels of a blade: thrust and power of 60 are within .1 % of the ones of many.
+const USUAL_PANELS: usize = 60;
 
 /// Smallest angle of precone at which the blades are along the shaft rather than across it \[rad\].
 const STEEPEST: f64 = 80.0_f64.to_radians();
@@ -93,6 +103,7 @@ pub(super) fn read(
     let angles = [&PRECONE, &TILT, &YAW].map(|key| table.get(key));
     let (hub_height, shear) = (table.get(&HUB_HEIGHT), table.get(&SHEAR));
     let outside = table.get(&OUTSIDE_MACH);
+    let panels = panels(table);
     let blade = blade(table, (machine.unwrap_or_default(), airfoils), remarks);
     table.finish();
     let [precone, tilt, yaw] = angles;
@@ -117,29 +128,45 @@ pub(super) fn read(
     let usual = if flow.is_axial { 1 } else { SECTORS_OBLIQUE };
     let sectors = sectors?.unwrap_or(usual);
     flow.check(table, sectors)?;
+    let rotor = RigidRotor {
+        machine: match machine {
+            MachineKind::Turbine => Machine::Turbine,
+            MachineKind::Propeller | MachineKind::Helicopter => Machine::Propeller,
+        },
+        blades: count?,
+        hub_radius,
+        tip_radius,
+        precone,
+        tilt,
+        yaw,
+        hub_height,
+        stations: blade.stations,
+        options: momentum.options,
+        annulus_radius: momentum.radius,
+        skewed_wake: momentum.skewed_wake,
+        sectors,
+    };
+    let rotor = match panels? {
+        Some(count) => rotor.with_panels(count),
+        None => Ok(rotor),
+    };
     Some(Rotor {
         machine,
         shear,
         holds_mach: outside? == 1,
-        rotor: RigidRotor {
-            machine: match machine {
-                MachineKind::Turbine => Machine::Turbine,
-                MachineKind::Propeller | MachineKind::Helicopter => Machine::Propeller,
-            },
-            blades: count?,
-            hub_radius,
-            tip_radius,
-            precone,
-            tilt,
-            yaw,
-            hub_height,
-            stations: blade.stations,
-            options: momentum.options,
-            annulus_radius: momentum.radius,
-            skewed_wake: momentum.skewed_wake,
-            sectors,
-        },
+        rotor: rotor.map_err(|problem| table.note("", &problem)).ok()?,
     })
+}
+
+/// The number of panels; `Some(None)` for loads at the stations alone.
+fn panels(table: &Table<'_>) -> Option<Option<usize>> {
+    let (integration, panels) = (table.get(&INTEGRATION), table.get(&PANELS));
+    let (integration, panels) = (integration?, panels?);
+    if integration == 1 && panels.is_some() {
+        table.wrong(&PANELS, "no such key beside integration = \"stations\"");
+        return None;
+    }
+    Some((integration == 0).then(|| panels.unwrap_or(USUAL_PANELS)))
 }
 
 /// Numbers of the flow that depend on each other.
