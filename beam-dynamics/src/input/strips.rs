@@ -119,10 +119,10 @@ pub(super) fn read(
     let pair = model.as_ref().zip(stations.as_ref());
     let unused = pair.and_then(|(model, own)| unused::remark(&user, model, own.sections()));
     remarks.extend(unused);
-    let wide = stations
-        .as_ref()
-        .and_then(|own| own.remark_on_chord(&user, line.length));
-    remarks.extend(wide);
+    if let Some(own) = &stations {
+        remarks.extend(own.remark_on_chord(&user, line.length));
+        remarks.extend(own.remark_on_span(&user, line.length));
+    }
     builder.add_remarks(remarks);
     let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);

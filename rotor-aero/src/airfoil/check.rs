@@ -25,6 +25,10 @@ const WIDE_STEP: f64 = PI / 6.0;
 /// there, and lift rises and falls in between \[rad\].
 const GAP: f64 = PI / 7.2;
 
+/// Largest angle, of both signs, at which wide steps have a remark of their own: stall is below it
+/// \[rad\].
+const STALL: f64 = PI / 9.0;
+
 /// Problems and remarks of a table.
 #[derive(Debug, Default)]
 struct Findings {
@@ -374,13 +378,14 @@ fn closed(name: &str, curve: &mut Curve, found: &mut Findings) {
     curve.values[last] = mean;
 }
 
-/// Steps between unequal values: a gap at small angles, and the widest.
+/// Steps between unequal values: gaps at small angles, and the widest.
 fn steps(name: &str, curve: &Curve, found: &mut Findings) {
     let pairs = curve.alpha.windows(2).zip(curve.values.windows(2));
     let unequal = pairs.filter(|(_, values)| values[0] != values[1]);
     let steps = unequal.filter_map(|(angles, _)| angles.first_chunk::<2>());
     let width = |step: &[f64; 2]| step[1] - step[0];
     let (mut widest, mut gap) = (None::<&[f64; 2]>, None);
+    let (mut wide, mut at_stall) = (0, None);
     for step in steps {
         if widest.is_none_or(|widest| width(step) >= width(widest)) {
             widest = Some(step);
@@ -388,20 +393,25 @@ fn steps(name: &str, curve: &Curve, found: &mut Findings) {
         if step[0] < 0.0 && step[1] > 0.0 && width(step) > GAP {
             gap = Some(step);
         }
+        if width(step) > WIDE_STEP {
+            wide += 1;
+            let is_near = step[0] < STALL && step[1] > -STALL;
+            at_stall = at_stall.or(is_near.then_some(step));
+        }
     }
-    let curve = || name.to_owned();
     if let Some([from_deg, to_deg]) = gap.map(|step| step.map(degrees)) {
-        let curve = curve();
         found.problems.push(AirfoilProblem::Gap {
-            curve,
+            curve: name.to_owned(),
             from_deg,
             to_deg,
         });
-    } else if let Some(step) = widest.filter(|step| width(step) > WIDE_STEP) {
+    } else if let Some(step) = at_stall.or(widest).filter(|_| wide > 0) {
         found.remarks.push(AirfoilRemark::WideStep {
-            curve: curve(),
+            curve: name.to_owned(),
             from_deg: degrees(step[0]),
             to_deg: degrees(step[1]),
+            others: wide - 1,
+            at_stall: at_stall.is_some(),
         });
     }
 }

@@ -68,17 +68,18 @@ fn each_problem_is_named_with_its_numbers() {
         gap.contains("lift of \"plain\": no values between -60 and 60 deg"),
         "{gap}"
     );
-    // A table from which the angles from -18 to 12.5 degrees were deleted.
+    // A table from which the angles from -20 to 12.5 degrees were deleted.
     let gap = first(&|data| {
         data.lift[0] = curve(&[
             (-180.0, 0.0),
             (-60.0, -0.8),
-            (-18.0, -1.0),
+            (-20.0, -1.0),
             (12.5, 1.2),
+            (20.0, 1.0),
             (180.0, 0.0),
         ]);
     });
-    assert!(gap.contains("no values between -18 and 12.5 deg"), "{gap}");
+    assert!(gap.contains("no values between -20 and 12.5 deg"), "{gap}");
     let ends = first(&|data| data.moment[0].values[0] = 0.4);
     assert!(ends.contains("0.4 at -180 deg and 0 at 180 deg"), "{ends}");
     let number = first(&|data| data.drag[0].values[1] = f64::NAN);
@@ -101,6 +102,44 @@ fn each_problem_is_named_with_its_numbers() {
     assert!(first(&|data| data.drag[0].mach = Some(-0.1)).contains("Mach number -0.1"));
     assert!(first(&|data| data.drag[0].reynolds = Some(0.2)).contains("Reynolds number 0.2"));
     assert!(first(&|data| data.drag[0].flap = Some(20.0)).contains("deflection in rad 20"));
+}
+
+/// The widest step is named with the number of the others; one at stall before it, with a remedy.
+#[test]
+fn wide_steps_are_counted_and_named_at_stall() {
+    let of = |points: &[(f64, f64)]| {
+        let texts = remarks(|data| data.lift[0] = curve(points));
+        let is_lift = |text: &&String| text.starts_with("lift");
+        texts.iter().find(is_lift).cloned().unwrap_or_default()
+    };
+    let far = of(&[
+        (-180.0, 0.0),
+        (-90.0, -0.1),
+        (-25.0, -0.8),
+        (0.0, 0.0),
+        (25.0, 0.8),
+        (50.0, 0.9),
+        (180.0, 0.0),
+    ]);
+    let expected =
+        "lift of \"plain\": no values between 50 and 180 deg, and 2 more steps above 30 deg";
+    assert_eq!(far, expected);
+    let stall = of(&[
+        (-180.0, 0.0),
+        (-20.0, -1.0),
+        (0.0, 0.0),
+        (16.0, 1.4),
+        (90.0, 0.1),
+        (180.0, 0.0),
+    ]);
+    assert!(
+        stall.contains("no values between 16 and 90 deg, and 2 more"),
+        "{stall}"
+    );
+    assert!(
+        stall.contains("at most 25 deg from -20 to 20 deg"),
+        "{stall}"
+    );
 }
 
 #[test]

@@ -178,6 +178,14 @@ pub enum AirfoilProblem {
     },
 }
 
+fn more_steps(others: usize) -> String {
+    match others {
+        0 => String::new(),
+        1 => ", and one more step above 30 deg".to_owned(),
+        _ => format!(", and {others} more steps above 30 deg"),
+    }
+}
+
 impl Explain for AirfoilProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
@@ -189,7 +197,10 @@ impl Explain for AirfoilProblem {
             Self::Repeated { .. } => {
                 "remove the repeated rows; if all angles are rounded, write more digits"
             }
-            Self::Gap { .. } => "add the rows of small angles, at which the flow is attached",
+            Self::Gap { .. } => {
+                "add rows up to and beyond stall, or remove the far rows and use viterna = true, which \
+                 extends a table from its stall to all angles"
+            }
             Self::Incomplete { .. } => "extend the table to the full circle, as Viterna does",
             Self::Beyond { .. } => {
                 "shift angles above 180 deg by -360 deg, or correct the unit of the angles"
@@ -252,7 +263,16 @@ pub enum AirfoilRemark {
         curve: String,
     },
     /// A wide step of the angle of attack.
-    #[error("{curve}: no values between {from_deg} and {to_deg} deg")]
+    #[error(
+        "{curve}: no values between {from_deg} and {to_deg} deg{}{}",
+        more_steps(*.others),
+        if *.at_stall {
+            "; lift rises and falls there, expected steps of at most 25 deg from -20 to 20 deg: add \
+             rows, or remove the far ones and use viterna = true, which extends a table beyond stall"
+        } else {
+            ""
+        }
+    )]
     WideStep {
         /// Curve.
         curve: String,
@@ -260,6 +280,10 @@ pub enum AirfoilRemark {
         from_deg: f64,
         /// End of the step \[deg\].
         to_deg: f64,
+        /// Number of other steps above 30 deg.
+        others: usize,
+        /// Whether it includes angles at which the flow is attached or stalls.
+        at_stall: bool,
     },
     /// Drag below zero.
     #[error("{curve}: the drag coefficient is {value} at {angle_deg} deg")]

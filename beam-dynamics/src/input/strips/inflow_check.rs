@@ -323,6 +323,25 @@ mod tests {
     }
 
     #[test]
+    fn a_span_without_air_is_remarked() {
+        let remarks = |to: &str| {
+            let text = rotor("blades = 3", &[1]).replace("{ at = 4,", to);
+            read_beside(&text, &[]).unwrap().remarks
+        };
+        let short = remarks("{ at = 3,");
+        let expected = "blade \"b0\": the stations are from 0 to 3 m of its 4 m, and the rest has no \
+                        forces of the air: check the unit and the origin of the positions";
+        assert!(short.iter().any(|remark| remark == expected), "{short:?}");
+        let whole = remarks("{ at = 3.9,");
+        assert!(
+            !whole
+                .iter()
+                .any(|remark| remark.contains("the stations are")),
+            "{whole:?}"
+        );
+    }
+
+    #[test]
     fn wide_chords_and_dense_air_are_remarked() {
         let wide = rotor("blades = 3", &[1]).replace("chord = 0.3", "chord = 300");
         let remarks = read_beside(&(wide + "[air]\ndensity = 1225\n"), &[]);

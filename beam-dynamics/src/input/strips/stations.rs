@@ -11,7 +11,7 @@ use crate::input::aerodynamics::{Airfoils, MachLimit, StripProblem, mach_limits}
 use crate::input::number::short_number;
 
 keys! {
-    /// Stations from the root to the tip, unless there is a `file`; linear between them.
+    /// Stations from the root to the tip; linear between them. A blade may have a `file` in their place.
     pub(super) STATIONS: ByHand = "stations", [Tables(&CARD)], optional, "";
 }
 
@@ -57,6 +57,11 @@ pub(super) struct Between {
     pub airfoil: Section,
 }
 
+/// Part of a blade up to which a root without stations is usual.
+const MOST_ROOT: f64 = 0.35;
+/// Part of a blade at which the last station should be.
+const LEAST_TIP: f64 = 0.97;
+
 /// Stations in ascending order.
 #[derive(Debug, Clone)]
 pub(super) struct Stations {
@@ -97,6 +102,20 @@ impl Stations {
             format!(
                 "{user}: the chord is {shown} m, more than the length of the blade, {of_blade} m: \
                  check the unit"
+            )
+        })
+    }
+
+    /// A remark on stations that leave much of the root, or some of the tip, of a blade of `length` \[m\]
+    /// without forces of the air.
+    pub fn remark_on_span(&self, user: &str, length: f64) -> Option<String> {
+        let [from, to] = [self.stations.first()?.at, self.stations.last()?.at];
+        let is_short = from > MOST_ROOT * length || to < LEAST_TIP * length;
+        is_short.then(|| {
+            let [from, to, length] = [from, to, length].map(|x| short_number(x, 6));
+            format!(
+                "{user}: the stations are from {from} to {to} m of its {length} m, and the rest has no \
+                 forces of the air: check the unit and the origin of the positions"
             )
         })
     }

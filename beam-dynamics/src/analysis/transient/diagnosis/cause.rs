@@ -363,9 +363,6 @@ impl<'a> FailureContext<'a> {
                 &["remove \"tolerance\" of newton, or increase it"],
             );
         }
-        if let Some(scheme) = self.scheme_without_joints() {
-            return scheme;
-        }
         let has_joints = self.model.system.numbering().multipliers() > 0;
         if has_joints && self.failure.length < CUT * self.wished {
             return self.locked();
@@ -423,23 +420,8 @@ impl<'a> FailureContext<'a> {
         }
     }
 
-    /// A scheme that cannot enforce the constraints of the model.
-    fn scheme_without_joints(&self) -> Option<Cause> {
-        let has_joints = self.model.system.numbering().multipliers() > 0;
-        let is_it = has_joints && self.settings.scheme == Scheme::CubicGauss;
-        is_it.then(|| {
-            Cause::new(
-                "the scheme: stages at Gauss' points cannot enforce constraints, as of joints",
-                &["take scheme = \"two-step\" or \"radau-iia\""],
-            )
-        })
-    }
-
     /// Equations without a unique solution.
     fn singular(&self) -> Cause {
-        if let Some(scheme) = self.scheme_without_joints() {
-            return scheme;
-        }
         Cause::new(
             "a mechanism that is locked or can go two ways here, redundant constraints, \
              or a part without mass and stiffness",
