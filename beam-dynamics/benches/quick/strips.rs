@@ -94,7 +94,8 @@ pub fn strips(yardstick: &mut Yardstick) -> Option<Vec<Row>> {
     Some(vec![Row {
         name: format!("strips, {BLADES} blades of {BEAMS} beams"),
         ratio: added / yardstick.time(),
-        limit: 4.0,
+        // 25 us, with the yardstick of 7.9 us on the machine of the documented times.
+        limit: 3.1,
         meaning: "added, beam and iteration / yardstick",
         time: format!("{:.2} us, beams {:.2}", added / US, alone / US),
         accuracy: format!("{iterations} iterations, {pivotings} pivotings in {STEPS} steps"),
