@@ -244,23 +244,27 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
     let found = Rows::of(&folder, "results/tunnel.performance.csv", "points");
     let (ratio, thrust) = (found.column("advance_ratio [-]"), found.column("CT [-]"));
     let power = found.column("CP [-]");
-    let (mut worst, mut worst_power) = (0.0_f64, 0.0_f64);
+    let mut errors = [[0.0_f64; 2]; 2];
     for (index, row) in rows.iter().enumerate() {
         assert!((ratio[index] - row[1]).abs() < 1e-9);
-        // Beyond, the propeller is nearly without thrust, where its drag alone counts.
-        if row[1] <= 0.6 && row[0] < 5500.0 {
-            worst = worst.max((thrust[index] - row[2]).abs());
-            worst_power = worst_power.max((power[index] - row[3]).abs());
+        let found = [thrust[index], power[index]];
+        for (i, found) in found.into_iter().enumerate() {
+            let column = 2 + i;
+            let largest = rows.iter().map(|row| row[column]).fold(0.0, f64::max);
+            // Beyond, the propeller is nearly without thrust, where its drag alone counts.
+            if i == 0 || row[1] < 0.6 {
+                errors[0][i] = errors[0][i].max((found - row[column]).abs() / largest);
+            }
+            errors[1][i] = errors[1][i].max((found - row[column + 2]).abs() / largest);
         }
     }
-    println!("CT {worst:.4}, CP {worst_power:.4}");
-    // UIUC Propeller Data Site: repeated measurements differ by up to .003 in CT. The geometry of
-    // APC and the one that UIUC measured differ by up to 3 degrees, and the flexible blades of this
-    // propeller twist with the speed, which a rigid rotor does not have.
-    assert!(
-        worst < 0.006 && worst_power < 0.007,
-        "{worst} {worst_power}"
-    );
+    println!("measured {:?}, script {:?}", errors[0], errors[1]);
+    // UIUC Propeller Data Site at 3000 to 6000 rpm: repeated measurements differ by up to .003 in CT,
+    // the geometry of APC from the measured one by up to 3 degrees, and the flexible blades of this
+    // propeller twist with the speed. The bands are the ones of the independent script, which has 24
+    // annuli.
+    assert!(errors[0][0] < 0.10 && errors[0][1] < 0.13, "{errors:?}");
+    assert!(errors[1].iter().all(|error| *error < 2e-3), "{errors:?}");
     let hover = Rows::of(&folder, "results/tunnel.performance.csv", "static");
     let at = hover
         .column("rotor_speed [rpm]")

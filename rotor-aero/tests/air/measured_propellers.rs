@@ -95,7 +95,7 @@ impl Tested {
         for (rows, at_rest) in self.listed.iter().zip([false, true]) {
             let scales = self.scales(at_rest);
             let first = if at_rest { 1 } else { 2 };
-            // Rest is here the state without axial velocity; the script does not state its speed.
+            // Rest is here the state without axial velocity, the script's an advance ratio of 1e-3.
             let within = if at_rest { 3e-3 } else { 2e-3 };
             for row in rows {
                 let ratio = if at_rest { 0.0 } else { row[1] };
