@@ -53,6 +53,7 @@ mod periodic;
 mod piezo;
 mod postbuckling;
 mod prestress;
+mod public_turbines;
 mod random_columns;
 mod random_joints;
 mod random_mechanisms;
