@@ -2,6 +2,9 @@
 
 use shared_geom::error::Explain;
 
+/// Largest angle of tables that seem to be in radians, as it is read \[deg\].
+pub const RADIANS: f64 = 3.2;
+
 /// A reason for which a table is refused. A `curve` is named by coefficient, airfoil and
 /// conditions; angles in messages are in degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -190,6 +193,12 @@ impl Explain for AirfoilProblem {
                 "remove the repeated rows; if all angles are rounded, write more digits"
             }
             Self::Gap { .. } => "add the rows of small angles, at which the flow is attached",
+            Self::Incomplete {
+                from_deg, to_deg, ..
+            } if from_deg.abs().max(to_deg.abs()) <= RADIANS => {
+                "the angles seem to be in radians, but are read as degrees: convert them, or state their \
+                 unit"
+            }
             Self::Incomplete { .. } => "extend the table to the full circle, as Viterna does",
             Self::Beyond { .. } => {
                 "shift angles above 180 deg by -360 deg, or correct the unit of the angles"
