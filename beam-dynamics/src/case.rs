@@ -1,6 +1,6 @@
 //! A checked problem for the engine: the model and the requested analyses.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use shared_geom::hash::sha256_of;
 
 use crate::assembly::System;
@@ -60,6 +60,9 @@ pub struct BladeNodes {
     pub azimuth: f64,
     /// Nodes from the root to the tip.
     pub nodes: Vec<usize>,
+    /// Axes (columns) of the undeformed blade in the model's frame, precone and pitch included: along
+    /// the span, toward the leading edge, up [-].
+    pub axes: Matrix3<f64>,
 }
 
 /// Arms of a model without blades: parts that only nodes on the axis of rotation connect.
@@ -254,6 +257,8 @@ pub struct StaticSettings {
     pub arc_length: bool,
     /// Largest number of steps along the path.
     pub most_steps: usize,
+    /// Values of a parameter at which the equilibria are found in turn, if they are requested.
+    pub sweep: Option<Sweep>,
 }
 
 /// The requested critical loads.

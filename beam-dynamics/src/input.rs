@@ -159,6 +159,8 @@ pub struct Input {
     pub free_hinges: Vec<String>,
     /// Location of each node in the files.
     pub node_locations: Vec<SourceLocation>,
+    /// The `[parameters]` with their values \[unit of each\].
+    pub parameters: Vec<(String, f64)>,
     /// The contents of the model.
     pub summary: Summary,
     /// Location of each joint in the files.
@@ -340,15 +342,12 @@ fn cards(
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     check_rotation((document, &root, rotors), &gravity, &mut builder, &analyses)?;
-    let nodes = builder.initial();
-    let node_locations = nodes.map(|(_, _, line)| document.location(line)).collect();
-    let joints = builder.joint_lines();
-    let joints = joints.map(|(name, line)| (name.to_owned(), document.location(line)));
-    let joint_locations = joints.collect();
+    let (node_locations, joint_locations) = builder.locations(document);
     let mut input = finish(name, builder, analyses, measured?)?;
     input.linear = linear?;
     input.node_locations = node_locations;
     input.joint_locations = joint_locations;
+    input.parameters = document.parameters().clone();
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -462,6 +461,7 @@ fn finish(
         free_hinges: Vec::new(),
         node_locations: Vec::new(),
         joint_locations: BTreeMap::new(),
+        parameters: Vec::new(),
         summary,
         remarks,
     })

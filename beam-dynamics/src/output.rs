@@ -64,7 +64,7 @@ pub use shapes::{ShapePlot, write_shapes};
 pub use stability::{boundary_csv, stability_csv, stability_text, write_stability};
 pub use statics::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, force_csv,
-    reaction_csv, static_text, write_static,
+    reaction_csv, static_text, sweep_csv, sweep_text, write_static, write_sweep,
 };
 pub use table_csv::frequency_csv;
 pub use table_fixed::{campbell_csv, fixed_text};

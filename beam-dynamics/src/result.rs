@@ -14,6 +14,7 @@ mod linear;
 mod performance;
 mod periodic;
 mod stability;
+mod static_sweep;
 mod statics;
 mod transient;
 mod trim;
@@ -31,6 +32,7 @@ pub use periodic::{
 pub use stability::{
     BoundaryKind, StabilityBoundary, StabilityPoint, StabilityResult, StabilityRoot, StableSide,
 };
+pub use static_sweep::{StaticSweep, StaticSweepPoint, TipMotion};
 pub use statics::{StaticResult, StaticStep};
 pub use transient::{AcceptedStep, Effort, Recorder, Snapshot};
 pub use trim::{TrimPoint, TrimResult};

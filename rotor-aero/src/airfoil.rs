@@ -35,7 +35,7 @@ pub use evaluated::{Airfoil, Profile};
 pub use formula::{FlatPlate, LinearLift};
 pub use naca0012::naca0012;
 pub use plain_flap::PlainFlap;
-pub use problem::{AirfoilProblem, AirfoilRemark};
+pub use problem::{AirfoilProblem, AirfoilRemark, RADIANS};
 pub use separation::{Kirchhoff, Separation};
 pub use stall_delay::{StallDelay, StallDelayLaw};
 pub use viterna::Viterna;

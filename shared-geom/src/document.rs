@@ -57,6 +57,8 @@ pub struct Document {
     absent: RefCell<Vec<absent::Absent>>,
     units: RefCell<Units>,
     parameters: RefCell<Parameters>,
+    /// Values of a parameter at the rows of the tables over it, by its name.
+    rows: RefCell<Vec<(String, Vec<f64>)>>,
 }
 
 impl Document {
@@ -90,6 +92,7 @@ impl Document {
             absent: RefCell::default(),
             units: RefCell::new(Units::si()),
             parameters: RefCell::default(),
+            rows: RefCell::default(),
         }
     }
 

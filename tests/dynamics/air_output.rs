@@ -209,6 +209,9 @@ fn wrong_names_and_positions_are_reported() {
         shown.contains("\"tangential_load\" cannot be sensed"),
         "{shown}"
     );
-    let shown = read("[sensors.a]\nquantity = \"power\"\n").unwrap_err();
-    assert!(shown.contains("\"power\" cannot be sensed"), "{shown}");
+    let shown = read("[sensors.a]\nquantity = \"power_coefficient\"\n").unwrap_err();
+    assert!(
+        shown.contains("\"power_coefficient\" cannot be sensed"),
+        "{shown}"
+    );
 }

@@ -169,5 +169,6 @@ pub fn up_to(to: f64) -> StaticSettings {
         steps: None,
         arc_length: false,
         most_steps: 500,
+        sweep: None,
     }
 }

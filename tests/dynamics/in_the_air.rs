@@ -147,11 +147,9 @@ fn equilibrium(
     change: impl Fn(String) -> String,
 ) -> (Input, StaticResult) {
     let text = std::fs::read_to_string(IEA).unwrap();
-    let text = text
-        .replace("\"15 m/s\"", &format!("\"{wind} m/s\""))
-        .replace("\"9.189114 deg\"", &format!("\"{feather} deg\""))
-        .replace("rpm = 7.559987", &format!("rpm = {rpm}"));
-    let input = input::parse(&change(text), IEA).unwrap();
+    let given = [("wind", wind), ("feather", feather), ("rpm", rpm)];
+    let given = given.map(|(name, value)| (name.to_owned(), value));
+    let input = input::parse_with(&change(text), IEA, &given).unwrap();
     let outcome = statics(&input.model, input.statics.as_ref().unwrap());
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
     (input, outcome.result)

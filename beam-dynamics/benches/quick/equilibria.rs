@@ -61,6 +61,7 @@ fn iteration(yardstick: &mut Yardstick) -> Option<Row> {
         steps: Some(10),
         arc_length: false,
         most_steps: 100,
+        sweep: None,
     };
     let exact = Vector3::new(47.150_438, 15.684_801, 53.474_859);
     let (mut off, mut iterations) = (f64::INFINITY, 0);

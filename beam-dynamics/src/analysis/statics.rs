@@ -98,6 +98,8 @@ pub struct StaticOutcome {
     pub result: StaticResult,
     /// Reason why there are no more.
     pub failure: Option<StaticFailure>,
+    /// The equilibrium under rotation and constant loads, if there is one.
+    pub base: Option<State>,
 }
 
 /// Remark on a limit point at which prestress is beyond first order.
@@ -107,8 +109,18 @@ const OF_FIRST_ORDER: &str = "the limit point may be caused by the table of pres
 
 /// Equilibria of `model` up to the load factor requested by `settings`.
 pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
+    statics_from(model, settings, None)
+}
+
+/// The same, from the equilibrium of a similar model under rotation and constant loads if it is given.
+pub(super) fn statics_from(
+    model: &Model,
+    settings: &StaticSettings,
+    from: Option<&State>,
+) -> StaticOutcome {
     let mut result = StaticResult::new(model, settings.speed);
-    let failure = run(model, settings, &mut result).err();
+    let mut known = None;
+    let failure = run(model, settings, (from, &mut known), &mut result).err();
     result.remarks.extend(limits_passed(&result.steps));
     let last = result.last();
     let remark = last.and_then(|step| {
@@ -131,17 +143,29 @@ pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
     result
         .remarks
         .extend(doubt.then(|| OF_FIRST_ORDER.to_owned()));
-    StaticOutcome { result, failure }
+    StaticOutcome {
+        result,
+        failure,
+        base: known,
+    }
 }
 
 fn run(
     model: &Model,
     settings: &StaticSettings,
+    (from, known): (Option<&State>, &mut Option<State>),
     result: &mut StaticResult,
 ) -> Result<(), StaticFailure> {
     let solver = LinearSolver::new(model.system.pattern());
     let conditions = model.conditions(settings.speed, 1.0, 0.0);
-    let base = base(model, &solver, &conditions)?;
+    let base = match from {
+        Some(state) => point(
+            &conditions,
+            equilibrium(model, &solver, (&conditions, state), &conditions)?,
+        ),
+        None => base(model, &solver, &conditions)?,
+    };
+    *known = Some(base.state.clone());
     result
         .steps
         .push(static_step(model, &conditions, base.clone()));

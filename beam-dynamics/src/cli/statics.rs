@@ -5,15 +5,17 @@ use std::path::{Path, PathBuf};
 
 use super::arguments::Results;
 use super::blade_options::BladeOptions;
+use super::progress::Progress;
 use super::terminal::Terminal;
 use super::{
     BladeAlone, MissingTable, WRONG_INPUT, add_remarks, files, finish, in_folder,
     read_with_locations,
 };
 use crate::analysis::buckling::buckling;
+use crate::analysis::static_sweep::static_sweep;
 use crate::analysis::statics::statics;
-use crate::case::{BucklingSettings, StaticSettings};
-use crate::input::{Input, is_blade_file, short_number};
+use crate::case::{BucklingSettings, StaticSettings, Sweep};
+use crate::input::{self, Input, is_blade_file, short_number};
 use crate::output::{self, ResultLocation};
 
 /// `static FILE...`
@@ -27,12 +29,15 @@ pub(super) fn static_of_files(
         table: "static",
         example: "speed = 0 and to = 1, or without keys for the loads as given",
     };
-    each(
+    each_again(
         files,
         results,
         terminal,
         (|input| input.statics.as_ref(), requested),
-        static_of,
+        |path, input, settings: &StaticSettings, location, terminal| match &settings.sweep {
+            Some(sweep) => sweep_of(path, (input, sweep), location, terminal),
+            None => static_of(input, settings, location, terminal),
+        },
     )
 }
 
@@ -115,6 +120,38 @@ pub(super) fn each_again<Q: Sync>(
             })
         },
     )
+}
+
+/// Equilibria over a parameter.
+fn sweep_of(
+    path: &Path,
+    (input, sweep): (&Input, &Sweep),
+    location: &ResultLocation,
+    terminal: &mut Terminal<'_>,
+) -> u8 {
+    let read = |given: &[(String, f64)]| input::read_with(path, given);
+    let progress = Progress::of_search(terminal.part());
+    let count = sweep.values.len();
+    let mut result = static_sweep(&input.model.name, sweep, &read, &mut |index| {
+        let at = short_number(sweep.values[index], 6);
+        let text = format!("point {} of {count}, {} = {at}", index + 1, sweep.parameter);
+        progress.note(index as f64 / count as f64, &text);
+    });
+    progress.finish();
+    let shown = (location.name.as_str(), &mut *terminal);
+    add_remarks(&mut result.remarks, (input, None), shown);
+    terminal.show(&output::sweep_text(&result));
+    let failures = result.points.iter().filter_map(|point| {
+        let [reason, remedy] = point.failure.as_ref()?;
+        let (name, at) = (&location.name, short_number(point.at, 6));
+        Some(format!(
+            "error: {name} at {} = {at}: {reason}\n  help: {remedy}",
+            result.parameter
+        ))
+    });
+    let failures: Vec<_> = failures.collect();
+    let failure = (!failures.is_empty()).then(|| failures.join("\n"));
+    finish(failure, output::write_sweep(&result, location), terminal)
 }
 
 fn static_of(

@@ -147,15 +147,18 @@ pub enum RotorSum {
     Thrust,
     /// Q [N m].
     Torque,
+    /// P, each part of Q times the speed of rotation of its strip \[W\].
+    Power,
 }
 
 impl RotorSum {
-    /// The share of a strip, none without a rotor [N, N m].
+    /// The share of a strip, none without a rotor [N, N m, W].
     pub fn share(self, of: &AirState) -> f64 {
-        let vector = match self {
-            Self::Thrust => &of.force,
-            Self::Torque => &of.moment,
-        };
-        of.rotor.map_or(0.0, |rotor| vector.dot(&rotor.axis))
+        let Some(rotor) = &of.rotor else { return 0.0 };
+        match self {
+            Self::Thrust => of.force.dot(&rotor.axis),
+            Self::Torque => of.moment.dot(&rotor.axis),
+            Self::Power => of.moment.dot(&rotor.axis) * rotor.turning,
+        }
     }
 }

@@ -115,6 +115,25 @@ impl RotorAir {
         })
     }
 
+    /// The sums of each rotor of these strips, by its name, in their order.
+    pub fn all(strips: &[AirState]) -> Vec<(String, Self)> {
+        let mut names: Vec<&str> = Vec::new();
+        for name in strips
+            .iter()
+            .filter_map(|strip| strip.location.rotor.as_deref())
+        {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let of = |name: &str| {
+            let own = strips.iter();
+            let own = own.filter(|strip| strip.location.rotor.as_deref() == Some(name));
+            Some((name.to_owned(), Self::of(own)?))
+        };
+        names.into_iter().filter_map(of).collect()
+    }
+
     /// P \[W\].
     pub fn power(&self) -> f64 {
         self.torque * self.turning

@@ -1,8 +1,10 @@
 //! The requested equilibria under loads and critical loads.
 
 use nalgebra::Vector3;
-use shared_geom::document::Table;
-use shared_geom::document::schema::ValueKind::{Boolean, Count, NotNegative, Quantity};
+use shared_geom::document::schema::ValueKind::{
+    Boolean, Count, NotNegative, Quantity, Table as OneTable,
+};
+use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -10,6 +12,7 @@ use super::loads::LoadProblem;
 use super::rotor_speed::RPM;
 use super::speeds;
 use super::stability;
+use super::sweep;
 use super::transient;
 use crate::case::{
     BucklingSettings, FrameRotation, ModesSettings, PeriodicSettings, StabilitySettings,
@@ -28,6 +31,8 @@ keys! {
     ARC_LENGTH: bool = "arc_length", [Boolean], or "false" = false, "true";
     /// Largest number of steps.
     MOST: usize = "most_steps", [Count(MOST_STEPS)], or "500" = DEFAULT_MOST_STEPS, "2000";
+    /// Values of a parameter at which the equilibria are found.
+    SWEEP: ByHand = "sweep", [OneTable(&sweep::STATIC_SWEEP)], optional, "";
     with SPEED.schema;
 }
 
@@ -108,6 +113,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticSettings>> {
     let speed = table.get(&SPEED);
     let (to, steps) = (table.get(&TO), table.get(&STEPS));
     let (arc_length, most_steps) = (table.get(&ARC_LENGTH), table.get(&MOST));
+    let sweep = sweep::under(&table, &SWEEP);
     table.finish();
     let steps = steps?;
     Some(Some(StaticSettings {
@@ -117,6 +123,7 @@ fn statics(root: &Table<'_>) -> Option<Option<StaticSettings>> {
         arc_length: arc_length?,
         // Requested steps are always allowed.
         most_steps: most_steps?.max(steps.unwrap_or(0)),
+        sweep: sweep?,
     }))
 }
 

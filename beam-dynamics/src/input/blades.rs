@@ -339,6 +339,7 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             name: mount.name.clone(),
             azimuth: mount.azimuth,
             nodes,
+            axes: mount.blade_axes(),
         });
     }
 }

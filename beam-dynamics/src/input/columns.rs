@@ -41,7 +41,7 @@ keys! {
         or "only the last state", "\"0.5 s\"";
     /// Columns of the tables.
     COLUMN: ByHand = "column", [Tables(&column::CARD)],
-        or "positions of the nodes, electric quantities and energies", "";
+        or "positions of the nodes, electric quantities, thrust, torque and power of rotors, and energies", "";
 }
 
 /// Largest number of values in a table: some thirty gigabytes of text and binary.

@@ -48,6 +48,7 @@ fn arms(parts: &EqualParts) -> Vec<BladeNodes> {
         name: format!("arm {}", k + 1),
         azimuth: step * k as f64,
         nodes: nodes.clone(),
+        axes: Matrix3::identity(),
     };
     numbered.map(arm).collect()
 }

@@ -27,6 +27,7 @@ mod power_curves;
 mod problem;
 mod qprop;
 mod rotor;
+mod schedule_file;
 mod schedules;
 mod stations;
 mod sweeps;

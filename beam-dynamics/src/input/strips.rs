@@ -38,6 +38,7 @@ mod stations;
 mod unused;
 
 pub(super) use cards::{CARD as STRIP, read as read_cards};
+pub(super) use files::Pool;
 pub use inflow_check::InflowProblem;
 pub(super) use inflow_check::check as check_inflows;
 pub(super) use line::BladeLine;
@@ -156,6 +157,10 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
         let disk = air.rotor.disk(radius, builder);
         let (strips, limits) = placed.get_or_insert_with(|| {
             let stations = &air.along.stations;
+            let first = stations.positions().next().unwrap_or_default();
+            let first = air.rotor.distance(&point_at(&beams, first, builder));
+            let remark = air.rotor.remark_on_hub(name, first, radius);
+            builder.add_remarks(remark.into_iter().collect());
             let distance = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
             let inflow =
                 StripsInflow::new((&air.rotor, stations), (blades.len(), radius), distance);

@@ -1,7 +1,8 @@
 //! Values of a parameter: the keys that all analyses over a parameter share.
 
-use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Count, Quantities, Quantity, Text};
+use shared_geom::document::schema::{KeySchema, TableSchema};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::error::{Explain, nearest_name};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
@@ -11,13 +12,35 @@ use crate::case::Sweep;
 /// Largest number of values.
 const MOST: usize = 100_000;
 
+/// Values of a parameter, each trimmed from the solution before.
+pub(super) const TRIM_SWEEP: TableSchema = TableSchema {
+    title: "[trim.sweep]",
+    meaning: "Values of a parameter, each trimmed from the solution before.",
+    keys: &SWEEP_KEYS,
+    families: &[],
+};
+
+/// Values of a parameter, at each of which the equilibrium is found from the one before.
+pub(super) const STATIC_SWEEP: TableSchema = TableSchema {
+    title: "[static.sweep]",
+    meaning: "Values of a parameter, at each of which the equilibrium is found from the one before.",
+    keys: &SWEEP_KEYS,
+    families: &[],
+};
+
+/// The keys of a sweep.
+const SWEEP_KEYS: [KeySchema; 5] = [
+    PARAMETER.schema,
+    VALUES.schema,
+    FROM.schema,
+    TO.schema,
+    STEPS.schema,
+];
+
 keys! {
-    /// Values of a parameter, each trimmed from the solution before: a list, or equal distances from
-    /// and to.
-    pub(super) TRIM_SWEEP = "[trim.sweep]";
     /// One of the `[parameters]`.
     pub(super) PARAMETER: String = "parameter", [Text], required, "\"advance_ratio\"";
-    /// The values, in this order.
+    /// The values, in this order. Without values: the rows of a table of `[parameters]` over it.
     pub(super) VALUES: Option<Vec<f64>> = "values", [Quantities(Dimension::NUMBER)], optional,
         "[0, 0.1, 0.2]";
     /// First value.
@@ -76,9 +99,21 @@ impl Explain for SweepProblem {
     }
 }
 
+/// Reads the table of a sweep under `key`; `Some(None)` without it.
+pub(super) fn under(table: &Table<'_>, key: &Key<ByHand>) -> Option<Option<Sweep>> {
+    if !table.has(key) {
+        return Some(None);
+    }
+    let table = table.table(key)?;
+    let found = read(&table);
+    table.finish();
+    found.map(Some)
+}
+
 /// Reads the parameter and its values from their keys in a table.
 pub(super) fn read(table: &Table<'_>) -> Option<Sweep> {
-    let (parameter, values) = (table.get(&PARAMETER), values(table));
+    let parameter = table.get(&PARAMETER);
+    let values = values(table, parameter.as_deref());
     let parameter = parameter?;
     let parameters = table.document().parameters().clone();
     if !parameters.iter().any(|own| own.0 == parameter) {
@@ -100,7 +135,7 @@ pub(super) fn read(table: &Table<'_>) -> Option<Sweep> {
     })
 }
 
-fn values(table: &Table<'_>) -> Option<Vec<f64>> {
+fn values(table: &Table<'_>, parameter: Option<&str>) -> Option<Vec<f64>> {
     let (values, steps) = (table.get(&VALUES), table.get(&STEPS));
     let (from, to) = (table.get(&FROM), table.get(&TO));
     let found = match (values?, from?, to?, steps?) {
@@ -113,7 +148,13 @@ fn values(table: &Table<'_>) -> Option<Vec<f64>> {
         (Some(_), None, None, None) => "an empty list",
         (Some(_), ..) => "\"values\" beside \"from\", \"to\" or \"steps\"",
         (None, Some(_), Some(_), Some(_)) => "\"from\", \"to\" and fewer than 2 \"steps\"",
-        (None, None, None, None) => "nothing",
+        (None, None, None, None) => {
+            let rows = parameter.map(|name| table.document().rows_over(name));
+            match rows.filter(|rows| rows.len() > 1) {
+                Some(rows) => return Some(rows),
+                None => "nothing",
+            }
+        }
         _ => "only a part of \"from\", \"to\" and \"steps\"",
     };
     table.note("", &SweepProblem::Ways { found });

@@ -9,7 +9,7 @@ use super::builder::ModelBuilder;
 use super::drives::{Catalog, Measure, Read};
 use super::sweep;
 use crate::case::{
-    AutoPilot, PeriodicMethod, PeriodicSettings, Sweep, TrimControl, TrimMethod, TrimSettings,
+    AutoPilot, PeriodicMethod, PeriodicSettings, TrimControl, TrimMethod, TrimSettings,
 };
 use crate::elements::Input;
 use crate::elements::control::{Balanced, Kept};
@@ -184,7 +184,7 @@ pub(super) fn read(
     let is_possible = fits(root, &table, method, periodic.as_deref());
     let (own, pilot) = (settings(&table, method), pilot(&table, method));
     let asked = targets::read(&table, (method, periodic.as_deref()), builder);
-    let sweep = sweep(&table);
+    let sweep = sweep::under(&table, &SWEEP);
     let _declared = table.has(&CONTROL);
     table.finish();
     let counts = [controls.len(), asked.len()];
@@ -212,17 +212,6 @@ pub(super) fn read(
         periodic.pilot = pilot;
     }
     is_possible.then_some(Some(settings))
-}
-
-/// Reads `[trim.sweep]`; `Some(None)` without it.
-fn sweep(table: &Table<'_>) -> Option<Option<Sweep>> {
-    if !table.has(&SWEEP) {
-        return Some(None);
-    }
-    let table = table.table(&SWEEP)?;
-    let found = sweep::read(&table);
-    table.finish();
-    found.map(Some)
 }
 
 /// Whether the other analyses of the file suit the method; notes the first that does not.

@@ -202,6 +202,8 @@ fn arc_length(nodes: &[Vector3<f64>; 3], xi: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Matrix3;
+
     use super::*;
     use crate::output::samples::nodes_at;
 
@@ -222,6 +224,7 @@ mod tests {
             name: "red".to_owned(),
             azimuth: 0.0,
             nodes: vec![5, 6, 7],
+            axes: Matrix3::identity(),
         };
         let beams = [[2, 3, 4], [5, 6, 7], [0, 1, 2]];
         let structure = Structure::new(&nodes, &beams, &[blade]);

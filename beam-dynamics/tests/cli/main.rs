@@ -35,6 +35,7 @@ mod rotors;
 mod schema;
 mod several;
 mod starts;
+mod static_sweep;
 mod transient;
 mod trim;
 

@@ -39,6 +39,7 @@ pub use super::constants::UnsteadyConstants;
 pub use family::merge;
 pub use reading::{Columns, Format, Options, ReadAirfoil, Reading, Writing};
 
+use super::{AirfoilData, RADIANS};
 use notes::Notes;
 use source::text_of;
 
@@ -54,6 +55,9 @@ struct Door {
     read: Read,
     write: Option<Write>,
 }
+
+/// Lift coefficient that no section has within a few degrees of zero lift.
+const LARGE_LIFT: f64 = 1.0;
 
 /// All formats, in the order in which they are tried.
 const DOORS: [Door; 7] = [
@@ -160,6 +164,24 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<Reading, Diag
     })
 }
 
+/// A remark on angles that seem to be in radians: none is beyond a half turn of radians, and the lift is
+/// the one of large angles.
+fn in_radians(data: &AirfoilData) -> Option<String> {
+    let angles = data.lift.iter().flat_map(|curve| &curve.alpha);
+    let largest = angles.fold(0.0, |a: f64, angle| a.max(angle.abs()));
+    let values = data.lift.iter().flat_map(|curve| &curve.values);
+    let lift = values.fold(0.0, |a: f64, value| a.max(value.abs()));
+    let is_small = largest > 0.0 && largest.to_degrees() <= RADIANS;
+    (is_small && lift > LARGE_LIFT).then(|| {
+        format!(
+            "the angles of airfoil \"{}\" end at {:.2} deg, and its lift coefficient reaches {lift:.2}: \
+             the angles seem to be in radians, but are read as degrees",
+            data.name,
+            largest.to_degrees()
+        )
+    })
+}
+
 /// Names airfoils without a name after their file, and notes airfoils without a coefficient.
 fn complete(airfoils: &mut [ReadAirfoil], text: &str, path: &Path, notes: &mut Notes) {
     if text.contains('\u{fffd}') {
@@ -187,6 +209,9 @@ fn complete(airfoils: &mut [ReadAirfoil], text: &str, path: &Path, notes: &mut N
         }
         if data.moment.is_empty() {
             notes.remark(0, &format!("airfoil \"{}\" has no moment", data.name));
+        }
+        if let Some(remark) = in_radians(data) {
+            notes.remark(0, &remark);
         }
         family::check(data, notes);
     }

@@ -2,6 +2,9 @@
 
 use shared_geom::error::Explain;
 
+/// Largest angle of tables that seem to be in radians, as it is read \[deg\].
+pub const RADIANS: f64 = 3.2;
+
 /// A reason for which a table is refused. A `curve` is named by coefficient, airfoil and
 /// conditions; angles in messages are in degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -200,6 +203,12 @@ impl Explain for AirfoilProblem {
             Self::Gap { .. } => {
                 "add rows up to and beyond stall, or remove the far rows and use viterna = true, which \
                  extends a table from its stall to all angles"
+            }
+            Self::Incomplete {
+                from_deg, to_deg, ..
+            } if from_deg.abs().max(to_deg.abs()) <= RADIANS => {
+                "the angles seem to be in radians, but are read as degrees: convert them, or state their \
+                 unit"
             }
             Self::Incomplete { .. } => "extend the table to the full circle, as Viterna does",
             Self::Beyond { .. } => {

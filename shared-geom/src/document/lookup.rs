@@ -49,6 +49,11 @@ impl Lookup {
         [at(self.rows.first()), at(self.rows.last())]
     }
 
+    /// Values of the other parameter at the rows.
+    pub fn values(&self) -> Vec<f64> {
+        self.rows.iter().map(|row| row[0]).collect()
+    }
+
     /// The value at `x`; `None` outside of the rows.
     pub fn at(&self, x: f64) -> Option<f64> {
         let after = self.rows.iter().position(|row| row[0] >= x)?;

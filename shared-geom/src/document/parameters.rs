@@ -54,7 +54,7 @@ impl Document {
         values.sort_by_key(|pair| pair.0);
         let names = values.iter().map(|pair| (pair.0.to_owned(), f64::NAN));
         let mut known: Parameters = names.collect();
-        let mut open = Vec::new();
+        let (mut open, mut rows) = (Vec::new(), Vec::new());
         for (index, (name, value)) in values.into_iter().enumerate() {
             if !is_name(name) {
                 let name = name.to_owned();
@@ -62,6 +62,11 @@ impl Document {
             }
             if let Some((_, number)) = given.iter().find(|own| own.0 == name) {
                 known[index].1 = *number;
+                // The rows of its table are known all the same.
+                if let Kind::Table(entries) = &value.kind {
+                    let table = lookup::read(self, (name, value.line), entries);
+                    rows.extend(table.map(|(of, table)| (of, table.values())));
+                }
                 continue;
             }
             match self.parameter(name, value, &known) {
@@ -76,6 +81,12 @@ impl Document {
             }
         }
         self.close(&mut known, &open);
+        let tables = open.iter().filter_map(|one| match &one.source {
+            Source::Table(table) => Some((known[one.uses[0]].0.clone(), table.values())),
+            Source::Text(_) => None,
+        });
+        rows.extend(tables);
+        *self.rows.borrow_mut() = rows;
         *self.parameters.borrow_mut() = known;
     }
 
@@ -228,6 +239,28 @@ impl Document {
     /// are NaN.
     pub fn parameters(&self) -> Ref<'_, Vec<(String, f64)>> {
         self.parameters.borrow()
+    }
+
+    /// Values of the parameter `name` at the rows of tables over it that are inside all of them,
+    /// in their order; empty without tables.
+    pub fn rows_over(&self, name: &str) -> Vec<f64> {
+        let tables = self.rows.borrow();
+        let own = tables.iter().filter(|table| table.0 == name);
+        let own: Vec<&[f64]> = own.map(|table| table.1.as_slice()).collect();
+        let is_inside = |value: &f64| {
+            own.iter()
+                .all(|rows| rows.first() <= Some(value) && Some(value) <= rows.last())
+        };
+        let mut values: Vec<f64> = own
+            .iter()
+            .copied()
+            .flatten()
+            .copied()
+            .filter(is_inside)
+            .collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
     }
 
     /// Whether an expression, or a table over a parameter, names the parameter.

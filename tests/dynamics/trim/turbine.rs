@@ -14,12 +14,18 @@ const SOURCE: &str = "HAWCStab2";
 /// The control at a wind [m/s] from other first guesses, by the file of the case with further cards.
 fn control(wind: f64, [feather, rpm]: [f64; 2], cards: &str) -> f64 {
     let text = std::fs::read_to_string(IEA).unwrap();
-    let text = text
-        .replace("\"15 m/s\"", &format!("\"{wind} m/s\""))
-        .replace("\"9.189114 deg\"", &format!("\"{feather} deg\""))
-        .replace("rpm = 7.559987", &format!("rpm = {rpm}"))
-        .replace("[static]\nspeed = \"= rpm\"\n", cards)
-        + "[sensors.torque]\nquantity = \"torque\"\n";
+    let (model, _) = text.split_once("[static]").unwrap();
+    let numbers = [("wind", wind), ("feather", feather), ("rpm", rpm)];
+    let lines = model.lines().map(|line| {
+        let is_of = |name: &str| line.starts_with(&format!("{name} = ")) && !line.contains(" = [");
+        let own = numbers.iter().find(|own| is_of(own.0));
+        own.map_or_else(
+            || line.to_owned(),
+            |(name, value)| format!("{name} = {value:?}"),
+        )
+    });
+    let model = lines.collect::<Vec<_>>().join("\n");
+    let text = format!("{model}\n{cards}[sensors.torque]\nquantity = \"torque\"\n");
     let parsed = input::parse(&text, IEA).unwrap_or_else(|problems| panic!("{problems}"));
     let read = |given: &[(String, f64)]| input::parse_with(&text, IEA, given);
     let outcome = trim("turbine", parsed.trim.as_ref().unwrap(), &read);

@@ -343,12 +343,12 @@ fn strips_in_disks() {
     }
 }
 
-/// Thrust and torque as scalars: their values are the ones of the report, their derivatives the
+/// Thrust, torque and power as scalars: their values are the ones of the report, their derivatives the
 /// differences.
 #[test]
 fn sums_of_rotors() {
     let mut random = Random(65);
-    let sums = [RotorSum::Thrust, RotorSum::Torque].map(Reading::Rotor);
+    let sums = [RotorSum::Thrust, RotorSum::Torque, RotorSum::Power].map(Reading::Rotor);
     for design in designs() {
         let strip = Arc::new(Strip::new(design));
         let mut undeformed = beam_nodes(&mut random);

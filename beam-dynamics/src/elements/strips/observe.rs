@@ -1,5 +1,5 @@
-//! Reports of a strip: its flow and loads for output, and its parts of the thrust and torque of the
-//! rotor as readings; its other quantities are in [`super::quantity`].
+//! Reports of a strip: its flow and loads for output, and its parts of the thrust, torque and power
+//! of the rotor as readings; its other quantities are in [`super::quantity`].
 //!
 //! With the center c and the direction n of the shaft, the forces F_j and moments M_j on the nodes
 //! at x_j, the parts of thrust and torque and their variations are
@@ -9,6 +9,13 @@
 //! d T = n . sum dF_j + theta_h . (n x sum F_j)
 //! d Q = sum ((n x (x_j - c)) . dF_j + n . dM_j + (F_j x n) . dx_j) - (sum F_j x n) . dc
 //!       + theta_h . (n x sum ((x_j - c) x F_j + M_j))
+//! ```
+//!
+//! and with the angular velocity W in space of the hub, or without a hub of the section,
+//! `W = sum N_j W_j`,
+//!
+//! ```text
+//! P   = Q n . W                  d P = n . W dQ + Q (n . dW + theta_h . (n x W))
 //! ```
 
 use std::f64::consts::TAU;
@@ -65,16 +72,20 @@ impl AirStrip {
     /// Its rotor at a state.
     fn rotor(&self, shaft: &ShaftState, flow: &Flow<'_>, at: &Local<'_>) -> RotorMotion {
         let hub = self.mount.hub.map(|hub| &at.nodes[hub]);
-        let turning = match hub {
-            Some(hub) => hub.angular_velocity_in_space(at.frame),
-            None => flow.turning_in_space(),
-        };
         RotorMotion {
             axis: shaft.axis,
-            turning: turning.dot(&shaft.axis),
+            turning: self.turning(flow, at).dot(&shaft.axis),
             velocity: self.velocity_of_center(shaft, hub, at),
             tip_radius: at.scalars.values[self.states()],
             density: self.air.atmosphere.density,
+        }
+    }
+
+    /// W, of the hub or of the section [rad/s].
+    fn turning(&self, flow: &Flow<'_>, at: &Local<'_>) -> Vector3<f64> {
+        match self.mount.hub {
+            Some(hub) => at.nodes[hub].angular_velocity_in_space(at.frame),
+            None => flow.turning_in_space(),
         }
     }
 
@@ -92,7 +103,7 @@ impl AirStrip {
         at.frame.velocity(&shaft.center, &own) - wind
     }
 
-    /// The part of the thrust or torque.
+    /// The part of the thrust, the torque or the power.
     fn sum(&self, of: RotorSum, at: &Local<'_>, row: Option<&mut ReadingRow<'_>>) -> Option<f64> {
         let shaft = self.mount.shaft_at(at.nodes)?;
         let mut forces = LocalResidual::new(LocalSize::of(self));
@@ -102,34 +113,65 @@ impl AirStrip {
             let force = forces.of(j, Equation::Force);
             sum += match of {
                 RotorSum::Thrust => force,
-                RotorSum::Torque => {
+                RotorSum::Torque | RotorSum::Power => {
                     let arm = at.nodes[j].position - shaft.center;
                     arm.cross(&force) + forces.of(j, Equation::Moment)
                 }
             };
         }
-        if let Some(row) = row {
-            self.add_slope(of, at, (&shaft, &forces, &sum), row);
+        let along = shaft.axis.dot(&sum);
+        if of != RotorSum::Power {
+            if let Some(row) = row {
+                self.add_slope((of, 1.0), at, (&shaft, &forces, &sum), row);
+            }
+            return Some(along);
         }
-        Some(shaft.axis.dot(&sum))
+        let carrier = self.carrier(at);
+        let flow = self.flow(&carrier, at);
+        let turning = self.turning(&flow, at);
+        let speed = turning.dot(&shaft.axis);
+        if let Some(row) = row {
+            self.add_slope((of, speed), at, (&shaft, &forces, &sum), row);
+            self.add_by_speed((&shaft.axis, &turning, along), &flow, row);
+        }
+        Some(along * speed)
     }
 
-    /// Adds the derivatives of the part of the thrust or torque, whose vector is `sum` [N, N m].
+    /// Adds the derivatives `Q d(n . W)` of the power.
+    fn add_by_speed(
+        &self,
+        (axis, turning, torque): (&Vector3<f64>, &Vector3<f64>, f64),
+        flow: &Flow<'_>,
+        row: &mut ReadingRow<'_>,
+    ) {
+        let slope = axis * torque;
+        if let Some(hub) = self.mount.hub {
+            row.by_node(hub, Variable::AngularVelocity, &slope);
+            row.by_node(hub, Variable::Rotation, &(axis.cross(turning) * torque));
+            return;
+        }
+        for (j, share) in flow.point.shares().iter().enumerate() {
+            row.by_node(j, Variable::AngularVelocity, &(slope * share.weight));
+        }
+    }
+
+    /// Adds `factor` times the derivatives of the part of the thrust or the torque, whose vector is
+    /// `sum` [N, N m].
     fn add_slope(
         &self,
-        of: RotorSum,
+        (of, factor): (RotorSum, f64),
         at: &Local<'_>,
         (shaft, forces, sum): (&ShaftState, &LocalResidual, &Vector3<f64>),
         row: &mut ReadingRow<'_>,
     ) {
-        let n = shaft.axis;
+        let n = shaft.axis * factor;
         let mut total = Vector3::zeros();
         for j in 0..self.mount.carrier.nodes() {
             let force = forces.of(j, Equation::Force);
             total += force;
             match of {
                 RotorSum::Thrust => row.by_equation(j, Equation::Force, &n),
-                RotorSum::Torque => {
+                RotorSum::Torque | RotorSum::Power => {
                     let arm = at.nodes[j].position - shaft.center;
                     row.by_equation(j, Equation::Force, &n.cross(&arm));
                     row.by_equation(j, Equation::Moment, &n);
@@ -139,7 +181,7 @@ impl AirStrip {
         }
         let Some(hub) = self.mount.hub else { return };
         let mut by_turn = n.cross(sum);
-        if of == RotorSum::Torque {
+        if of != RotorSum::Thrust {
             let along = total.cross(&n);
             let offset = shaft.center - at.nodes[hub].position;
             row.by_node(hub, Variable::Position, &-along);

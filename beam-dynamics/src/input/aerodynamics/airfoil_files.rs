@@ -1,7 +1,9 @@
 //! Airfoils from files of any known format.
 
 use rotor_aero::airfoil::files::{self, ReadAirfoil, Reading};
-use rotor_aero::airfoil::{Airfoil, AirfoilData, AirfoilProblem, Interpolation, UnsteadyConstants};
+use rotor_aero::airfoil::{
+    Airfoil, AirfoilData, AirfoilProblem, Interpolation, RADIANS, UnsteadyConstants,
+};
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
 
@@ -107,7 +109,9 @@ pub(in crate::input) fn checked(
 /// Notes a problem of a table, with the keys that solve it.
 pub(super) fn note(name: &str, problem: AirfoilProblem, (table, key): (&Table<'_>, &str)) {
     let help = match problem {
-        AirfoilProblem::Incomplete { .. } => Some(format!(
+        AirfoilProblem::Incomplete {
+            from_deg, to_deg, ..
+        } if from_deg.abs().max(to_deg.abs()) > RADIANS => Some(format!(
             "add \"viterna = true\" to [airfoils.{name}], or write a complete table: \
              beam-dynamics airfoil FILE --viterna --out NEW"
         )),

@@ -194,6 +194,18 @@ fn named_built_in(
 }
 
 impl Airfoils {
+    /// Whether the name is one of `[airfoils]`.
+    pub fn has_own(&self, name: &str) -> bool {
+        self.named.iter().any(|named| named.0 == name)
+    }
+
+    /// Adds an airfoil, unless its name is known; `None` for a wrong one.
+    pub fn add(&mut self, name: &str, airfoil: Option<Arc<Airfoil>>) {
+        if !self.has_own(name) {
+            self.named.push((name.to_owned(), airfoil));
+        }
+    }
+
     /// Whether the name is an airfoil of the file, or a built-in one.
     pub fn has(&self, name: &str) -> bool {
         self.named.iter().any(|named| named.0 == name) || built_in(name).is_some()

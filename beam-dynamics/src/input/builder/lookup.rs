@@ -1,6 +1,9 @@
-//! Names in output: looked up, without counting as a use.
+//! Names in output, looked up without counting as a use; locations of nodes and joints.
 
-use shared_geom::document::Table;
+use std::collections::BTreeMap;
+
+use shared_geom::document::{Document, Table};
+use shared_geom::error::SourceLocation;
 
 use super::ModelBuilder;
 use crate::elements::joints::clamped;
@@ -20,6 +23,18 @@ pub struct LookUp<'a> {
 }
 
 impl ModelBuilder {
+    /// Locations of the nodes, and of the joints by name.
+    pub fn locations(
+        &self,
+        document: &Document,
+    ) -> (Vec<SourceLocation>, BTreeMap<String, SourceLocation>) {
+        let nodes = self.initial();
+        let nodes = nodes.map(|(_, _, line)| document.location(line));
+        let joints = self.joint_lines();
+        let joints = joints.map(|(name, line)| (name.to_owned(), document.location(line)));
+        (nodes.collect(), joints.collect())
+    }
+
     /// Number of cards with a name of a kind: `joint`, `spring`.
     pub fn count_of(&self, kind: &str) -> usize {
         let kinds = self.labels.keys().map(|label| label.0);

@@ -2,14 +2,15 @@
 
 use super::column::is_name;
 use crate::case::{Column, ElectrodeQuantity, Quantity};
-use crate::elements::EnergyPart;
-use crate::elements::{Axes, NodeQuantity, NodeVector, Part};
+use crate::elements::{
+    Axes, Definition, EnergyPart, NodeQuantity, NodeVector, Part, RotorQuantity,
+};
 use crate::input::builder::ModelBuilder;
 
 /// Nodes with columns of their own.
 const MOST_NODES: usize = 8;
 
-/// The positions of the most informative nodes, and the energies.
+/// The positions of the most informative nodes, electric quantities, the air on rotors, and the energies.
 pub(super) fn columns(builder: &ModelBuilder) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for node in builder.main_nodes(MOST_NODES) {
@@ -35,6 +36,7 @@ pub(super) fn columns(builder: &ModelBuilder) -> Vec<Column> {
         }
     }
     columns.extend(of_electrodes(builder));
+    columns.extend(of_rotors(builder));
     let electric = ("electric_energy", EnergyPart::Electric);
     let electric = (!builder.electrodes().is_empty()).then_some(electric);
     for (name, part) in [
@@ -74,6 +76,44 @@ fn of_electrodes(builder: &ModelBuilder) -> Vec<Column> {
             quantity: Quantity::Electrode {
                 electrode,
                 quantity,
+            },
+        })
+    });
+    columns.collect()
+}
+
+/// Thrust, torque and power of every rotor in the air, with its name if there are several.
+fn of_rotors(builder: &ModelBuilder) -> Vec<Column> {
+    const QUANTITIES: [(&str, RotorQuantity, &str); 3] = [
+        ("thrust", RotorQuantity::Thrust, "N"),
+        ("torque", RotorQuantity::Torque, "N m"),
+        ("power", RotorQuantity::Power, "W"),
+    ];
+    let mut rotors: Vec<(&str, Vec<String>)> = Vec::new();
+    for blade in builder.air_blades() {
+        let Some(name) = blade.rotor.as_deref() else {
+            continue;
+        };
+        let strips = blade.strips.iter().map(|strip| strip.0.clone());
+        match rotors.iter_mut().find(|rotor| rotor.0 == name) {
+            Some(rotor) => rotor.1.extend(strips),
+            None => rotors.push((name, strips.collect())),
+        }
+    }
+    let one = rotors.len() == 1;
+    let columns = rotors.into_iter().flat_map(|(name, strips)| {
+        QUANTITIES.map(|(word, quantity, unit)| Column {
+            name: match one {
+                true => word.to_owned(),
+                false => format!("{word}_{}", as_name(name)),
+            },
+            unit: unit.to_owned(),
+            factor: 1.0,
+            words: format!("{word} of {name}"),
+            quantity: Quantity::Rotor {
+                strips: strips.clone(),
+                quantity,
+                definition: Definition::Rotor,
             },
         })
     });

@@ -92,7 +92,7 @@ pub(in crate::input) fn kind(table: &Table<'_>) -> Option<&'static Kind> {
             "the derivatives of the direction around the shaft are not known"
         }
         Source::Rotor(quantity) if sum_of(quantity).is_none() => {
-            "of the quantities of rotors only \"thrust\" and \"torque\" are"
+            "of the quantities of rotors only \"thrust\", \"torque\" and \"power\" are"
         }
         Source::StepLength | Source::Iterations => "it is not a number of the state",
         Source::Node(NodeVector::Euler(_)) => "the derivatives of these angles are not known",
@@ -230,6 +230,7 @@ fn sum_of(quantity: RotorQuantity) -> Option<RotorSum> {
     match quantity {
         RotorQuantity::Thrust => Some(RotorSum::Thrust),
         RotorQuantity::Torque => Some(RotorSum::Torque),
+        RotorQuantity::Power => Some(RotorSum::Power),
         _ => None,
     }
 }

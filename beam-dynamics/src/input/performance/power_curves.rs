@@ -68,7 +68,14 @@ pub(super) fn read(table: &Table<'_>, usual: String) -> Option<PerformancePart> 
     let (pitch, largest) = (pitch?, largest?);
     let Some(speeds) = speeds? else {
         let (column, found) = (SPEED.name(), "no such key".to_owned());
-        table.note("", &PerformanceProblem::NoColumn { column, found });
+        table.note(
+            "",
+            &PerformanceProblem::NoColumn {
+                column,
+                found,
+                known: &[],
+            },
+        );
         return None;
     };
     let is_sound = increasing(table, SPEED.name(), &speeds);

@@ -1,6 +1,6 @@
 //! Problems of rotor files.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, quoted};
 
 use crate::input::short_number;
 
@@ -66,28 +66,6 @@ pub enum PerformanceProblem {
         side: &'static str,
         /// `first` or `last`.
         which: &'static str,
-    },
-    /// Stations of a file without an airfoil.
-    #[error("{stations} of \"{file}\" have no airfoil, expected an airfoil for each station")]
-    NoAirfoil {
-        /// Which stations, as text.
-        stations: String,
-        /// The file of the blade.
-        file: String,
-        /// The key that gives it.
-        help: &'static str,
-    },
-    /// An airfoil that cannot be formed.
-    #[error("station {number} of \"{file}\": {reason}")]
-    Station {
-        /// Number of the station, from one.
-        number: usize,
-        /// The file of the blade.
-        file: String,
-        /// The reason, as text.
-        reason: String,
-        /// The remedy, if known.
-        help: Option<String>,
     },
     /// No operating point.
     #[error(
@@ -224,6 +202,30 @@ pub enum PerformanceProblem {
         column: &'static str,
         /// The titles found, as text.
         found: String,
+        /// Titles that are read, the usual one first.
+        known: &'static [&'static str],
+    },
+    /// Two columns of one quantity.
+    #[error("the columns \"{}\" and \"{}\" are both \"{column}\"", .titles[0], .titles[1])]
+    Doubled {
+        /// The quantity.
+        column: &'static str,
+        /// The titles.
+        titles: [String; 2],
+    },
+    /// A schedule that begins with numbers.
+    #[error("the first line has no titles, found {found}")]
+    NoTitles {
+        /// The line.
+        found: String,
+    },
+    /// Another number of rows than the first line has.
+    #[error("the first line announces {announced} rows, found {found}")]
+    Announced {
+        /// The number in the first line.
+        announced: usize,
+        /// Number of rows.
+        found: usize,
     },
     /// Further problems of the rows of a file.
     #[error("{count} further rows have problems")]
@@ -243,8 +245,6 @@ impl Explain for PerformanceProblem {
             Self::FewStations { .. } => "give stations from the hub to the tip",
             Self::Order { .. } => "order the stations from the hub to the tip",
             Self::End { .. } => "correct it, or remove the stations outside the blade",
-            Self::NoAirfoil { help, .. } => help,
-            Self::Station { help, .. } => return help.clone(),
             Self::NoPoints => {
                 "add [[sweep]] with speed = [8] and rotor_speed = { from = 5, to = 12, steps = 8 }"
             }
@@ -272,9 +272,20 @@ impl Explain for PerformanceProblem {
                  [rotor], which uses the last table beyond its Mach number"
             }
             Self::Cell { .. } => "write a number with a decimal point, in the unit of the title",
-            Self::NoColumn { .. } => {
-                "the first row has the titles, such as speed [m/s],rotor_speed [rpm],pitch [deg]"
+            Self::NoColumn { known: [], .. } => "give the list, or the \"file\" of a table",
+            Self::NoColumn { known, .. } => {
+                return Some(format!(
+                    "the first line has the titles, such as wind [m/s],rotor_speed [rpm],pitch [deg]; \
+                     for this column {} are known",
+                    quoted(known)
+                ));
             }
+            Self::Doubled { .. } => "rename the column that is not meant",
+            Self::NoTitles { .. } => {
+                "write a line of titles above, such as wind [m/s],rotor_speed [rpm],pitch [deg]; a \
+                 file of HAWC2, with wind, pitch and rotor speed, ends in .opt"
+            }
+            Self::Announced { .. } => "correct the number, or complete the rows",
             Self::More { .. } => return None,
         };
         Some(text.to_owned())

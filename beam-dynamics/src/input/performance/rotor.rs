@@ -233,8 +233,9 @@ fn blade(
                 table.wrong(key, "no such key: it is for the \"file\" of a blade");
                 return None;
             }
+            let airfoils = blade_file::beside_stations(table, airfoils, remarks)?;
             return Some(FileBlade {
-                stations: stations::read(table, STATIONS.name(), airfoils)?,
+                stations: stations::read(table, STATIONS.name(), &airfoils)?,
                 twist: None,
                 from_root: false,
                 blades: None,

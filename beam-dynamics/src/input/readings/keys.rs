@@ -199,12 +199,13 @@ pub(in crate::input) const STRIPS: Family = Family {
 /// Sums over the strips of a rotor.
 pub(in crate::input) const ROTORS: Family = Family {
     name: "rotor",
-    meaning: "Thrust along the axis of the hub and torque about it, of the air on the blades.",
-    keys: &[choice!(QUANTITY, "thrust", "torque"), ROTOR.schema],
+    meaning: "Thrust along the axis of the hub and torque about it, of the air on the blades; power, the \
+              torque times the speed of rotation, positive for turbines.",
+    keys: &[choice!(QUANTITY, "thrust", "torque", "power"), ROTOR.schema],
 };
 
 /// All quantities of columns.
-pub(in crate::input) const OF_COLUMNS: [Family; 20] = [
+pub(in crate::input) const OF_COLUMNS: [Family; 19] = [
     NODES,
     Family {
         name: "Euler angles",
@@ -248,11 +249,6 @@ pub(in crate::input) const OF_COLUMNS: [Family; 20] = [
         ],
     },
     ROTORS,
-    Family {
-        name: "power of a rotor",
-        meaning: "Torque of the air times the speed of rotation: positive for turbines.",
-        keys: &[choice!(QUANTITY, "power"), ROTOR.schema],
-    },
     Family {
         name: "coefficient of a rotor",
         meaning: "Thrust, torque, power and speeds of a rotor as numbers.",

@@ -29,14 +29,15 @@ use crate::input::short_number;
 mod pool;
 mod problem;
 
-use pool::Pool;
+pub(in crate::input) use pool::Pool;
 use problem::FileProblem;
 
 keys! {
     /// A file of the aerodynamic blade, instead of `stations`; its format is recognized.
     pub(super) FILE: Option<String> = "file", [Text], optional, "\"AeroDyn15_blade.dat\"";
     /// Airfoils of the stations of `file`, in the order of their indices: names of `[airfoils]`,
-    /// built-in ones, or files, in whose names `*` is any letters.
+    /// built-in ones, or files, in whose names `*` is any letters, or folders of files. They take the
+    /// place of airfoils of `file` that have the same names, and so do the ones of `[airfoils]`.
     pub(super) AIRFOILS: Option<Vec<String>> = "airfoils", [Texts], optional,
         "[\"Cylinder\", \"polars/*.dat\"]";
     /// A file with all airfoils of the stations of `file`, such as a pc file of HAWC2.

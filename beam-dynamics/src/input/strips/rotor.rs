@@ -15,6 +15,8 @@ use crate::input::builder::ModelBuilder;
 
 /// Smallest sine of the angle between the shaft and the azimuth zero of the hub.
 const ALONG: f64 = 1e-3;
+/// Part of the radius of the tip up to which a station is at the axis.
+const AT_AXIS: f64 = 1e-9;
 
 /// The rotor of the blades of a card.
 #[derive(Debug)]
@@ -192,6 +194,23 @@ impl Rotor {
                 }
             }
             InflowKind::Disk(_) => StripInflow::Disk,
+        })
+    }
+
+    /// A remark on a hub of radius zero, for a blade whose first station is at a radius \[m\]: annuli then reach the
+    /// axis, and nothing is lost at the hub.
+    pub fn remark_on_hub(&self, blade: &str, first: f64, tip: f64) -> Option<String> {
+        let inflow = self.inflow.as_ref()?;
+        let InflowKind::Annular(annular) = &inflow.kind else {
+            return None;
+        };
+        let is_zero = annular.stated().1.is_none() && first <= AT_AXIS * tip;
+        is_zero.then(|| {
+            format!(
+                "blade \"{blade}\" begins at the axis of inflow \"{}\", so that its hub has the radius \
+                 zero: if the blade begins at a hub, give [[blade]] its \"hub_radius\"",
+                inflow.name
+            )
         })
     }
 

@@ -1,6 +1,5 @@
 //! Thrust, torque and power of rotors as text for a report.
 
-use super::rotors;
 use crate::elements::{AirState, Definition, RotorAir, RotorQuantity};
 use crate::input::short_number;
 use crate::output::text::{RPM, aligned};
@@ -45,13 +44,7 @@ const OTHERS: [(&str, Definition, RotorQuantity); 5] = [
 /// Sums and coefficients of each rotor; values that are not finite are left out.
 pub(in crate::output) fn rotor_text(states: &[AirState]) -> String {
     let mut text = String::new();
-    for name in rotors(states) {
-        let own = states
-            .iter()
-            .filter(|state| state.location.rotor.as_deref() == Some(name));
-        let Some(rotor) = RotorAir::of(own) else {
-            continue;
-        };
+    for (name, rotor) in RotorAir::all(states) {
         text.push_str(&format!("\nAir on \"{name}\"\n\n"));
         text.push_str(&sums(&rotor));
         text.push_str(&format!("\n{}", coefficients(&rotor)));

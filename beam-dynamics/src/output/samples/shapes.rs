@@ -56,6 +56,7 @@ pub fn shaped() -> (Model, FrequencyTable) {
         name: "blade".to_owned(),
         azimuth: 0.0,
         nodes: (0..5).collect(),
+        axes: Matrix3::identity(),
     }];
     let table = FrequencyTable {
         name: "shaped blade".to_owned(),

@@ -89,6 +89,7 @@ pub fn bent(factors: &[f64]) -> StaticResult {
             name: "blade".to_owned(),
             azimuth: 0.0,
             nodes: (0..9).collect(),
+            axes: Matrix3::identity(),
         }],
         steps: factors.iter().map(|factor| step(*factor)).collect(),
         remarks: vec!["made up".to_owned()],

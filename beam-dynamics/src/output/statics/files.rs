@@ -4,6 +4,10 @@ use shared_geom::files::{OutputProblem, make_folder};
 use shared_geom::vtk::Series;
 
 use super::fields::step_grid;
+use super::names::{
+    AIR, AIR_PLOT, ALONG, DEFORMED, DISPLACEMENTS, ELECTRODES, FIELDS, FORCES, PATH, REACTIONS,
+    SERIES, TEXT, remove_all,
+};
 use super::{
     DeformedPlot, ForcePlot, PathPlot, STATIC_CONVENTION, displacement_csv, electrode_csv,
     force_csv, reaction_csv, static_air_csv, static_text,
@@ -13,20 +17,6 @@ use crate::output::air::span_plot;
 use crate::output::folder::{ResultLocation, Results};
 use crate::output::structure::Structure;
 use crate::result::StaticResult;
-
-const TEXT: &str = "static.txt";
-const DISPLACEMENTS: &str = "displacements.csv";
-const FORCES: &str = "forces.csv";
-const REACTIONS: &str = "reactions.csv";
-const ELECTRODES: &str = "electrodes.csv";
-const AIR: &str = "air.csv";
-const AIR_PLOT: [&str; 2] = ["air.png", "air.svg"];
-const DEFORMED: [&str; 2] = ["deformed.png", "deformed.svg"];
-const ALONG: [&str; 2] = ["forces.png", "forces.svg"];
-const PATH: [&str; 2] = ["path.png", "path.svg"];
-const SERIES: &str = "static.pvd";
-/// Folder of the field files.
-const FIELDS: &str = "static";
 
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`, `NAME.reactions.csv`,
 /// with electrodes `NAME.electrodes.csv`, with blades in the air `NAME.air.csv`, if figures are
@@ -43,17 +33,7 @@ pub fn write_static(
 ) -> Result<Written, OutputProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
-    results.remove([
-        TEXT,
-        DISPLACEMENTS,
-        FORCES,
-        REACTIONS,
-        ELECTRODES,
-        AIR,
-        SERIES,
-    ]);
-    results.remove([DEFORMED, ALONG, AIR_PLOT, PATH].into_iter().flatten());
-    results.remove_fields(FIELDS);
+    remove_all(&results);
 
     let text = format!("{}\n{STATIC_CONVENTION}", static_text(result));
     results.text(TEXT, &text)?;

@@ -32,8 +32,8 @@ fn a_blade_of_hawc2_needs_its_twist_and_profiles() {
     let without = text.replace("airfoil_file = \"hawc2_pc.dat\"\n", "");
     folder.write("a.rotor.toml", &without);
     let run = folder.run(&["performance", "a.rotor.toml"]);
-    let expected = "all stations of \"hawc2_ae.dat\" have no airfoil, expected an airfoil for each \
-                    station\n  help: name the profile coefficients as airfoil_file";
+    let expected = "no airfoils for \"hawc2_ae.dat\", expected \"airfoils\" or \"airfoil_file\"\n  \
+                    help: add airfoils = [\"polars/*.dat\"]";
     assert!(run.code == 2 && run.err.contains(expected), "{}", run.err);
 }
 
@@ -75,6 +75,166 @@ fn twist_by_radii_is_the_twist_of_the_file() {
         Rows::of(&folder, "results/a.performance.csv", "schedule 1").column("CP [-]")[0]
     });
     assert!((power[1] / power[0] - 1.0).abs() < 1e-9, "{power:?}");
+}
+
+/// Polars of the NREL 5 MW turbine by name, by a pattern and by a folder: the same power. Stations that
+/// are typed use the names of the files; files of AeroDyn their order, in which 10 is after 9.
+#[test]
+fn airfoils_are_named_by_patterns_and_folders() {
+    let folder = Folder::new();
+    let names = ["Cylinder1", "DU40_A17", "NACA64_A17"];
+    for name in names {
+        let text = support::text(&format!("aero/nrel5mw/polar_{name}.csv"));
+        folder.write(&format!("af/{name}.csv"), &text);
+    }
+    let power = |rotor: &str, more: &str| {
+        let text = format!(
+            "units = \"SI\"\n[rotor]\nblades = 3\nhub_radius = 1.5\n{rotor}\n{more}\n\
+             [[schedule]]\nspeed = 8\nrotor_speed = 9\n"
+        );
+        folder.write("a.rotor.toml", &text);
+        let run = folder.run(&["performance", "a.rotor.toml", "--no-figures"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        Rows::of(&folder, "results/a.performance.csv", "schedule 1").column("power [W]")[0]
+    };
+    let stations = "stations = [{ r = 3, chord = 3.5, twist = 13, airfoil = \"Cylinder1\" }, \
+         { r = 12, chord = 4.5, twist = 13, airfoil = \"DU40_A17\" }, \
+         { r = 60, chord = 1.5, airfoil = \"NACA64_A17\" }]";
+    let cards = names.map(|name| format!("[airfoils.{name}]\nfile = \"af/{name}.csv\"\n"));
+    let expected = power(stations, &cards.concat());
+    for airfoils in [
+        "\"af/*.csv\"",
+        "\"af\"",
+        "[\"af/*_A17.csv\", \"af/Cylinder1.csv\"]",
+    ] {
+        let found = power(&format!("airfoils = {airfoils}\n{stations}"), "");
+        assert_eq!(found, expected, "{airfoils}");
+    }
+    // In the order of the numbers: the cylinder, then both others.
+    for (number, name) in [(1, "Cylinder1"), (9, "DU40_A17"), (10, "NACA64_A17")] {
+        let text = support::text(&format!("aero/nrel5mw/polar_{name}.csv"));
+        folder.write(&format!("polars/p{number}.csv"), &text);
+    }
+    folder.write(
+        "blade.dat",
+        "AERODYN BLADE\nthree stations\n=====\n3 NumBlNds\nBlSpn BlCrvAC BlSwpAC BlCrvAng BlTwist \
+         BlChord BlAFID\n(m) (m) (m) (deg) (deg) (m) (-)\n1.5 0 0 0 13 3.5 1\n10.5 0 0 0 13 4.5 2\n\
+         58.5 0 0 0 0 1.5 3\n",
+    );
+    let found = power("file = \"blade.dat\"\nairfoils = \"polars/*.csv\"", "");
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+}
+
+/// A polar of windIO 2.
+const WINDIO_POLAR: &str = "polars:\n      - configuration: clean\n        re_sets: [{re: 1e6, \
+         cl: {grid: [-180, -15, 0, 15, 180], values: [0, -1.5, 0, 1.5, 0]}, \
+         cd: {grid: [-180, 180], values: [0.01, 0.01]}, cm: {grid: [-180, 180], values: [0, 0]}}]";
+
+/// The parts of a turbine of windIO 2 but its airfoils, `inner` and `outer`.
+fn windio_shape() -> String {
+    let grid = |values: &str| format!("{{grid: [0, 1], values: [{values}]}}");
+    format!(
+        "components:\n  hub: {{diameter: 2}}\n  blade:\n    reference_axis:\n      x: {}\n      y: {}\n      \
+         z: {}\n    outer_shape:\n      airfoils:\n        - {{name: inner, spanwise_position: 0}}\n        \
+         - {{name: outer, spanwise_position: 1}}\n      chord: {}\n      twist: {}\n      rthick: {}\n",
+        grid("0, 0"),
+        grid("0, 0"),
+        grid("0, 20"),
+        "{grid: [0, 0.3, 0.6, 1], values: [2, 2, 1.5, 1]}",
+        grid("8, 0"),
+        grid("0.3, 0.2"),
+    )
+}
+
+/// A turbine of windIO whose airfoils have no polars takes them from another file or from `[airfoils]`, and
+/// each unknown one is reported once.
+#[test]
+fn polars_of_windio_may_be_in_another_file() {
+    let folder = Folder::new();
+    let shape = windio_shape();
+    let polar = WINDIO_POLAR;
+    let head = "windIO_version: '2.0'\nname: turbine\nairfoils:\n";
+    let airfoil =
+        |name: &str, polar: &str| format!("  - name: {name}\n    rthick: 0.3\n    {polar}\n");
+    let both = |polar: &str| airfoil("inner", polar) + &airfoil("outer", polar);
+    folder.write("whole.yaml", &format!("{head}{}{shape}", both(polar)));
+    folder.write(
+        "turbine.yaml",
+        &format!("{head}{}{shape}", both("polars: []")),
+    );
+    folder.write("polars.yaml", &format!("{head}{}", both(polar)));
+    let run = |file: &str, keys: &str, cards: &str| {
+        let text = format!(
+            "units = \"SI\"\n[rotor]\nblades = 3\nfile = \"{file}\"\n{keys}\n{cards}[[schedule]]\n\
+             speed = 8\nrotor_speed = 30\n"
+        );
+        folder.write("a.rotor.toml", &text);
+        folder.run(&["performance", "a.rotor.toml", "--no-figures"])
+    };
+    let power = |file: &str, keys: &str, cards: &str| {
+        let run = run(file, keys, cards);
+        assert_eq!(run.code, 0, "{}", run.err);
+        Rows::of(&folder, "results/a.performance.csv", "schedule 1").column("power [W]")[0]
+    };
+    let expected = power("whole.yaml", "", "");
+    let found = power("turbine.yaml", "airfoil_file = \"polars.yaml\"", "");
+    assert_eq!(found, expected);
+    let cards = ["inner", "outer"]
+        .map(|name| format!("[airfoils.{name}]\nfile = \"polars.yaml\"\nairfoil = \"{name}\"\n"));
+    assert_eq!(power("turbine.yaml", "", &cards.concat()), expected);
+    // Airfoils of the rotor file take the place of the ones of the turbine.
+    let thin = "[airfoils.outer]\nslope = 3\n";
+    assert!((power("whole.yaml", "", thin) / expected - 1.0).abs() > 0.05);
+    let refused = run("turbine.yaml", "", &cards[0].replace("inner]", "iner]"));
+    assert_eq!(refused.code, 2);
+    for name in ["inner", "outer"] {
+        let words = format!("unknown airfoil \"{name}\" in \"turbine.yaml\"");
+        assert_eq!(refused.err.matches(&words).count(), 1, "{}", refused.err);
+    }
+    assert!(
+        refused.err.contains("did you mean \"iner\"?"),
+        "{}",
+        refused.err
+    );
+}
+
+/// Angles in radians in a file whose version has degrees.
+#[test]
+fn polars_in_radians_are_suspected() {
+    let folder = Folder::new();
+    let grid = "grid: [-3.1416, -0.3, 0, 0.3, 3.1416]";
+    folder.write(
+        "a.yaml",
+        &format!(
+            "windIO_version: '2.0'\nname: t\nairfoils:\n  - name: a\n    rthick: 0.2\n    polars:\n      \
+             - configuration: clean\n        re_sets: [{{re: 1e6, cl: {{{grid}, values: [0, -1.4, 0, 1.4, 0]}}, \
+             cd: {{{grid}, values: [0.1, 0.03, 0.01, 0.03, 0.1]}}, \
+             cm: {{{grid}, values: [0, 0, 0, 0, 0]}}}}]\n"
+        ),
+    );
+    let rotor = |more: &str| {
+        let text = format!(
+            "units = \"SI\"\n[airfoils.a]\nfile = \"a.yaml\"\n{more}[rotor]\nblades = 3\nstations = [{{ r = 1, \
+             chord = 1, airfoil = \"a\" }}, {{ r = 9, chord = 1, airfoil = \"a\" }}]\n[[schedule]]\n\
+             speed = 8\nrotor_speed = 30\n"
+        );
+        folder.write("a.rotor.toml", &text);
+        folder.run(&["performance", "a.rotor.toml", "--no-figures"])
+    };
+    let run = rotor("");
+    assert_eq!(run.code, 2);
+    let help = "the angles seem to be in radians, but are read as degrees";
+    assert!(run.err.contains(help), "{}", run.err);
+    // The file itself has a remark too, for a table that is extended to the full circle.
+    let run = folder.run(&["airfoil", "a.yaml"]);
+    let words =
+        "the angles of airfoil \"a\" end at 3.14 deg, and its lift coefficient reaches 1.40";
+    assert!(
+        (run.out.clone() + &run.err).contains(words),
+        "{}{}",
+        run.out,
+        run.err
+    );
 }
 
 /// A propeller of QPROP with the polar of its file, against the output of QPROP 1.22 at 5 m/s and
@@ -124,6 +284,10 @@ fn a_geometry_of_uiuc_takes_an_airfoil_by_name() {
         &text.replace("airfoil = \"naca0012\"\n", ""),
     );
     let run = folder.run(&["performance", "a.rotor.toml"]);
-    let expected = "all stations of \"apcsf_10x7_geom.txt\" have no airfoil";
-    assert!(run.code == 2 && run.err.contains(expected), "{}", run.err);
+    for expected in [
+        "no airfoils for \"apcsf_10x7_geom.txt\"",
+        "airfoil = \"NAME\" of [rotor]",
+    ] {
+        assert!(run.code == 2 && run.err.contains(expected), "{}", run.err);
+    }
 }

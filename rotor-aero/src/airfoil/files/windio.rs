@@ -10,7 +10,7 @@
 //! Each coefficient has `grid` and `values`. The unit follows `windIO_version`, or the names of
 //! the tables if the file does not state its version. Tables that end at 3.14 are closed at pi.
 
-use shared_geom::exchange::yaml::Node;
+use shared_geom::exchange::yaml::{Node, Value};
 
 use super::grid::{Grid, Row, Unit};
 use super::notes::Notes;
@@ -25,18 +25,33 @@ pub(super) fn recognize(text: &str) -> bool {
 /// Reads the airfoils of a file of either version.
 pub(super) fn read(text: &str, _: &Options, notes: &mut Notes) -> Option<Vec<ReadAirfoil>> {
     let root = root(text, notes)?;
-    airfoils(&root, notes)
+    airfoils(&root, true, notes)
 }
 
-/// The airfoils of a file that is parsed.
-pub(super) fn airfoils(root: &Node, notes: &mut Notes) -> Option<Vec<ReadAirfoil>> {
+/// The airfoils of a file that is parsed; without `needs_polars` those without polars are left out.
+pub(super) fn airfoils(
+    root: &Node,
+    needs_polars: bool,
+    notes: &mut Notes,
+) -> Option<Vec<ReadAirfoil>> {
     let node = required(root, "the file", "airfoils", notes)?;
     let items = list(node, "airfoils", notes)?;
     let stated = stated_unit(root, notes);
-    let read = items.iter().map(|item| airfoil(item, stated, notes));
+    let counted = items.iter().filter(|item| needs_polars || has_polars(item));
+    let read = counted.map(|item| airfoil(item, stated, notes));
     let read: Vec<_> = read.flatten().collect();
     // The problems of all of them are noted.
     (items.is_empty() || !read.is_empty()).then_some(read)
+}
+
+/// Whether an airfoil has the key of its polars with a content.
+fn has_polars(item: &Node) -> bool {
+    let is_empty = |polars: &Node| match &polars.value {
+        Value::List(polars) => polars.is_empty(),
+        Value::Text(text) => matches!(text.as_str(), "" | "~" | "null"),
+        Value::Table(_) => false,
+    };
+    item.entry("polars").is_some_and(|polars| !is_empty(polars))
 }
 
 /// The unit of the angles that the version states.

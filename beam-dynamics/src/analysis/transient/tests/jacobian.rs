@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::models::{bipendulum, top};
 use crate::analysis::transient::multibody::Multibody;
@@ -96,6 +96,7 @@ fn derivatives_are_exact_in_turning_axes() {
         name: "top".to_owned(),
         azimuth: 0.0,
         nodes,
+        axes: Matrix3::identity(),
     });
     let error = error(&model);
     assert!(error < 2e-8, "{error:e}");

@@ -34,11 +34,13 @@ enum Content {
 }
 
 /// The airfoils of a blade; tables are checked when they are used.
-pub(super) struct Pool<'a> {
+pub(in crate::input) struct Pool<'a> {
     table: &'a Table<'a>,
     named: &'a Airfoils,
     user: &'a str,
     entries: Vec<Entry>,
+    /// Number of entries before the ones of the file of the blade itself.
+    given: usize,
     /// Names that are noted as unknown.
     unknown: Vec<String>,
 }
@@ -51,6 +53,7 @@ impl<'a> Pool<'a> {
             named,
             user,
             entries: Vec::new(),
+            given: 0,
             unknown: Vec::new(),
         }
     }
@@ -81,21 +84,23 @@ impl<'a> Pool<'a> {
         if let Some(file) = file {
             sound &= self.add_files(&file, AIRFOIL_FILE.name(), remarks);
         }
+        self.given = self.entries.len();
         sound
     }
 
-    /// Adds the airfoils of all files of a name with `*`.
+    /// Adds the airfoils of all files of a name with `*`, or of a folder, in the order of their names
+    /// and of the numbers in them.
     fn add_files(&mut self, written: &str, key: &str, remarks: &mut Vec<String>) -> bool {
         let mut paths = Vec::new();
-        if written.contains('*') {
-            let path = self.table.path(key, written);
+        let path = self.table.path(key, written);
+        let folder = path.is_dir().then(|| path.join("*"));
+        if folder.is_some() || written.contains('*') {
+            let path = folder.unwrap_or(path);
             let pattern = path.file_name().unwrap_or_default().to_string_lossy();
-            let names = names_beside(&path).into_iter();
-            paths.extend(
-                names
-                    .filter(|name| fits(&pattern, name))
-                    .map(|name| path.with_file_name(name)),
-            );
+            let mut names = names_beside(&path);
+            names.retain(|name| fits(&pattern, name) && !name.starts_with('.'));
+            names.sort_by_cached_key(|name| by_numbers(name));
+            paths.extend(names.iter().map(|name| path.with_file_name(name)));
             if paths.is_empty() {
                 let pattern = written.to_owned();
                 self.table.note(key, &FileProblem::NoMatch { pattern });
@@ -234,10 +239,33 @@ impl<'a> Pool<'a> {
         }
     }
 
-    /// The airfoil of a name: of the list, of `[airfoils]`, or built in. An unknown one is noted
-    /// once.
+    /// Adds an airfoil that needs no name: the only one of the stations.
+    pub fn add_section(&mut self, section: Section) {
+        self.entries.push(Entry {
+            name: String::new(),
+            set: None,
+            thickness: thickness(&section),
+            content: Content::Section(Some(section)),
+        });
+    }
+
+    /// The named airfoils, and the ones of the list and the files, for stations that are typed.
+    pub fn into_named(mut self, remarks: &mut Vec<String>) -> Airfoils {
+        let mut airfoils = self.named.clone();
+        for index in 0..self.entries.len() {
+            let section = self.entry(index, remarks);
+            let airfoil = section.and_then(|section| Some(Arc::clone(section.parts().next()?.1)));
+            airfoils.add(&self.entries[index].name, airfoil);
+        }
+        airfoils
+    }
+
+    /// The airfoil of a name: of the list, of `[airfoils]`, of the file of the blade, or built in. An
+    /// unknown one is noted once.
     fn by_name(&mut self, name: &str, file: &str, remarks: &mut Vec<String>) -> Option<Section> {
-        if let Some(index) = self.entries.iter().position(|entry| entry.name == name) {
+        let found = self.entries.iter().position(|entry| entry.name == name);
+        let is_of_blade = found.is_some_and(|index| index >= self.given);
+        if let Some(index) = found.filter(|_| !(is_of_blade && self.named.has_own(name))) {
             return self.entry(index, remarks);
         }
         if self.unknown.iter().any(|known| known == name) {
@@ -288,7 +316,7 @@ impl<'a> Pool<'a> {
 
     /// Sections between stations whose thicknesses enclose the one of a profile: there the
     /// mixture of two profiles changes.
-    pub fn between(
+    pub(in crate::input::strips) fn between(
         &mut self,
         read: &[AeroStation],
         stations: &[Station],
@@ -308,6 +336,28 @@ impl<'a> Pool<'a> {
         }
         Some(more)
     }
+}
+
+/// A name as letters and numbers, so that "polar 2" is before "polar 10".
+fn by_numbers(name: &str) -> Vec<(String, u64)> {
+    let mut parts: Vec<(String, u64)> = vec![(String::new(), 0)];
+    let mut digits = false;
+    for letter in name.chars() {
+        if let Some((text, number)) = parts.last_mut() {
+            match letter.to_digit(10) {
+                Some(digit) => {
+                    *number = number.saturating_mul(10).saturating_add(u64::from(digit));
+                    digits = true;
+                }
+                None if digits => {
+                    parts.push((letter.to_string(), 0));
+                    digits = false;
+                }
+                None => text.push(letter),
+            }
+        }
+    }
+    parts
 }
 
 /// Thickness of a section of one airfoil \[-\].
@@ -348,7 +398,17 @@ fn fits(pattern: &str, name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::fits;
+    use super::{by_numbers, fits};
+
+    #[test]
+    fn numbers_in_names_are_counted() {
+        let mut names = ["p10.dat", "p9.dat", "p1_b.dat", "p1_a.dat", "a.dat"];
+        names.sort_by_key(|name| by_numbers(name));
+        assert_eq!(
+            names,
+            ["a.dat", "p1_a.dat", "p1_b.dat", "p9.dat", "p10.dat"]
+        );
+    }
 
     #[test]
     fn a_star_is_any_number_of_letters() {

@@ -98,7 +98,9 @@ impl Explain for FileProblem {
             }
             Self::NoName { .. } => "give one airfoil for all stations, or one for each",
             Self::NoAirfoils { .. } => {
-                "add airfoils = [\"polars/*.dat\"], names of [airfoils], or airfoil_file = \"pc.dat\""
+                "add airfoils = [\"polars/*.dat\"], a list of names of [airfoils], of files and of folders, or \
+                 airfoil_file = \"pc.dat\", a file with all of them; airfoil = \"NAME\" of [rotor] is for all \
+                 stations"
             }
             Self::NoSet { .. } => "add the pc file of HAWC2 as \"airfoil_file\"",
             Self::Thickness { help, .. } => return help.clone(),

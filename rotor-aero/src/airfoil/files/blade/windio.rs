@@ -49,7 +49,8 @@ struct Shape {
 pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<BladeAero> {
     let root = root(text, notes)?;
     let read = match root.entry("airfoils") {
-        Some(_) => airfoils(&root, notes).unwrap_or_default(),
+        // Polars may be in another file.
+        Some(_) => airfoils(&root, false, notes).unwrap_or_default(),
         None => Vec::new(),
     };
     let parts = required(&root, "the file", "components", notes)?;
