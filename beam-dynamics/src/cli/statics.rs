@@ -131,7 +131,7 @@ fn static_of(
         .map(|failure| failure as &dyn Display);
     let shown = (location.name.as_str(), &mut *terminal);
     add_remarks(&mut result.remarks, (input, failure), shown);
-    let written = output::write_static(&result, location);
+    let written = output::write_static(&result, location, input.output.span_forces);
     let text = format!(
         "{}\n{}",
         output::static_text(&result),
