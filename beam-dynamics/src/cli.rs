@@ -8,7 +8,6 @@ use std::path::PathBuf;
 use clap::Parser;
 use shared_geom::command_help::with_near_commands;
 use shared_geom::error::Explain;
-use shared_geom::files::OutputProblem;
 
 use crate::analysis::modes::modes_watched;
 use crate::case::ModesSettings;
@@ -347,7 +346,7 @@ fn add_remarks(
 /// Reports the failure and the written files; returns the exit code.
 fn finish(
     failure: Option<String>,
-    written: Result<Written, OutputProblem>,
+    written: Result<Written, impl Explain>,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
     let mut code = DONE;

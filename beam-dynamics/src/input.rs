@@ -337,8 +337,8 @@ fn cards(
     builder.check(&root);
     transient::check(&root, &builder);
     drive_times::check(document, &builder, analyses.as_ref());
-    if let (Some(output), Some(analyses)) = (&output, &analyses) {
-        columns::check(&root, output, analyses.transient.as_ref());
+    if let Some(output) = &output {
+        columns::check(&root, output, (analyses.as_ref(), builder.beams().len()));
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     check_rotation((document, &root, rotors), &gravity, &mut builder, &analyses)?;

@@ -22,6 +22,7 @@ mod performance;
 mod periodic;
 mod rows;
 mod shapes;
+mod span_forces;
 mod stability;
 mod statics;
 mod structure;

@@ -29,6 +29,8 @@ blade = \"blade\"
 force = [0, 0, 400]
 [static]
 steps = 2
+[output]
+span_forces = true
 ";
 
 /// Five equal cycles of the load, of 20 s each: a hundred periods of the first mode, 5 Hz.
@@ -47,6 +49,8 @@ expression = \"1 - cos(2*pi*t/20)\"
 [transient]
 to = 100
 step = 0.5
+[output]
+span_forces = true
 [[output.column]]
 name = \"root\"
 quantity = \"internal_force\"
@@ -109,7 +113,7 @@ fn forces_of_statics_are_the_loads_of_strength() {
     );
     run(
         folder,
-        "section-analyzer strength @b/a.blade.json --loads @r/m.forces.csv",
+        "section-analyzer strength @b/a.blade.json --loads @r/m.static.blade.forces.csv",
     );
     let span = columns(&folder.join("b/a.span.csv"), ["section", "arc_length [m]"]);
     let names = [
@@ -152,14 +156,9 @@ fn forces_of_a_motion_have_their_damage_equivalent_ranges() {
         folder,
         "beam-dynamics transient @m.dynamics.toml --out @r --no-figures",
     );
-    // the evaluation points of elements of a twentieth of the length
-    let point = |from: f64, sign: f64| from + 0.025 * (1.0 + sign / 3.0_f64.sqrt());
-    let [root, tip] = [point(0.0, -1.0), point(0.95, 1.0)];
-    let strength = "section-analyzer strength @b/a.blade.json --loads @r/m.transient.csv";
-    run(
-        folder,
-        &format!("{strength} --at root={root} --at tip={tip}"),
-    );
+    let strength =
+        "section-analyzer strength @b/a.blade.json --loads @r/m.transient.blade.forces.csv";
+    run(folder, strength);
     let number = |text: &String| text.parse::<f64>().unwrap();
     let span = columns(&folder.join("b/a.span.csv"), ["arc_length [m]"]);
     let length = number(&span.last().unwrap()[0]);
@@ -185,4 +184,101 @@ fn forces_of_a_motion_have_their_damage_equivalent_ranges() {
     }
     let error = square.sqrt() / (400.0 * length) - 1.0;
     assert!(error.abs() < 5e-4, "{error:e}");
+}
+
+/// Reserve factors by section and ply after `strength` with the tables `loads`.
+fn reserves(folder: &Path, loads: &str) -> Vec<([String; 3], f64)> {
+    run(
+        folder,
+        &format!("section-analyzer strength @b/a.blade.json {loads}"),
+    );
+    let names = ["section", "ply", "instant", "reserve_factor [-]"];
+    let rows = columns(&folder.join("b/a.strength.csv"), names);
+    let row = |[section, ply, instant, factor]: [String; 4]| {
+        ([section, ply, instant], factor.parse::<f64>().unwrap())
+    };
+    rows.into_iter().map(row).collect()
+}
+
+// The envelope has the force at the instant of the largest load at each point, which governs: the load
+// and its response are one cycle up from zero. Neighboring points have their largest force within a
+// step of each other, over which a cosine at its top changes by (2 pi 0.5/20)^2/2 = 1.2 %; a table
+// cannot have a smaller reserve factor than its history but by the line between two points. Of two
+// tables the smaller one counts.
+#[test]
+fn envelopes_and_several_tables_are_loads() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let motion = MOTION.replace("to = 100", "to = 20");
+    solved(folder, "0,0.4", &format!("{motion}[static]\nsteps = 2\n"));
+    let begin = |command: &str| {
+        let words = format!("beam-dynamics {command} @m.dynamics.toml --out @r --no-figures");
+        run(folder, &words);
+    };
+    begin("transient");
+    begin("static");
+    let table = |name: &str| format!("--loads @r/m.{name}.csv");
+    let [history, envelope, state] = [
+        "transient.blade.forces",
+        "transient.blade.envelope",
+        "static.blade.forces",
+    ]
+    .map(table);
+    let whole = reserves(folder, &history);
+    let extremes = reserves(folder, &envelope);
+    assert!(whole.len() > 4 && whole.len() == extremes.len());
+    for (whole, extreme) in whole.iter().zip(&extremes) {
+        assert_eq!(whole.0[..2], extreme.0[..2]);
+        let ratio = extreme.1 / whole.1;
+        assert!((ratio - 1.0).abs() < 5e-3, "{whole:?} {extreme:?}");
+        assert!(extreme.0[2].starts_with("case ") && whole.0[2].starts_with("time "));
+    }
+    let steady = reserves(folder, &state);
+    let both = reserves(folder, &format!("{state} {history}"));
+    for ((steady, whole), both) in steady.iter().zip(&whole).zip(&both) {
+        assert_eq!(both.1, steady.1.min(whole.1), "{steady:?} {whole:?}");
+        let table = match steady.1 < whole.1 {
+            true => "case m.static.blade step",
+            false => "case m.transient.blade time",
+        };
+        assert!(both.0[2].starts_with(table), "{both:?}");
+    }
+}
+
+// A run that stopped halfway and continues has the same tables, to the tolerance of its steps.
+#[test]
+fn a_run_that_continues_has_the_tables_of_the_whole_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let motion = MOTION.replace("to = 100", "to = 20");
+    solved(folder, "0,0.4", &motion);
+    let whole = "beam-dynamics transient @m.dynamics.toml --out @r --no-figures";
+    run(folder, whole);
+    let half = MOTION.replace("to = 100", "to = 10");
+    std::fs::write(folder.join("m.dynamics.toml"), half).unwrap();
+    let halves = "beam-dynamics transient @m.dynamics.toml --out @h --no-figures";
+    run(folder, halves);
+    std::fs::write(folder.join("m.dynamics.toml"), motion).unwrap();
+    run(folder, &format!("{halves} --restart @h/m.restart.json"));
+    for table in ["forces", "envelope"] {
+        let numbers = |out: &str| {
+            let file = format!("{out}/m.transient.blade.{table}.csv");
+            columns(
+                &folder.join(file),
+                ["arc [m]", "shear_z [N]", "bending_y [N m]"],
+            )
+        };
+        let (direct, halves) = (numbers("r"), numbers("h"));
+        assert!(direct.len() == halves.len() && direct.len() >= 12 * 40);
+        for (direct, halves) in direct.iter().zip(&halves) {
+            let pairs = direct.iter().zip(halves);
+            let mut errors =
+                pairs.map(|(a, b)| a.parse::<f64>().unwrap() - b.parse::<f64>().unwrap());
+            // of 4000 N and 20 kN m
+            assert!(
+                errors.all(|error| error.abs() < 1e-3),
+                "{direct:?} {halves:?}"
+            );
+        }
+    }
 }

@@ -88,7 +88,7 @@ mod tests {
 
     fn section(strain: f64, turn: f64) -> SectionState {
         SectionState {
-            beam: "b".to_owned(),
+            beam: "b".into(),
             xi: 0.5,
             position: Vector3::zeros(),
             axes: Matrix3::identity(),

@@ -113,6 +113,8 @@ pub struct OutputSettings {
     pub vtu: Option<usize>,
     /// Number of the last revolutions whose air is written; `None` without.
     pub air: Option<usize>,
+    /// Whether the internal forces along blades and lines of beams are written, with envelopes.
+    pub span_forces: bool,
     /// How often the state is saved for a restart; `None`: only at the end.
     pub restart: Option<Every>,
 }
@@ -127,6 +129,7 @@ impl Default for OutputSettings {
             netcdf: true,
             vtu: None,
             air: None,
+            span_forces: false,
             restart: None,
         }
     }

@@ -151,7 +151,8 @@ fn sweep_of(
     });
     let failures: Vec<_> = failures.collect();
     let failure = (!failures.is_empty()).then(|| failures.join("\n"));
-    finish(failure, output::write_sweep(&result, location), terminal)
+    let written = output::write_sweep(&result, location, input.output.span_forces);
+    finish(failure, written, terminal)
 }
 
 fn static_of(
@@ -168,7 +169,7 @@ fn static_of(
         .map(|failure| failure as &dyn Display);
     let shown = (location.name.as_str(), &mut *terminal);
     add_remarks(&mut result.remarks, (input, failure), shown);
-    let written = output::write_static(&result, location);
+    let written = output::write_static(&result, location, input.output.span_forces);
     let text = format!(
         "{}\n{}",
         output::static_text(&result),

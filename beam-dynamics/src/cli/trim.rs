@@ -118,7 +118,12 @@ fn write_end(end: TrimEnd, location: &ResultLocation, terminal: &mut Terminal<'_
         (Some(Trimmed::Static(result)), ..) => {
             in_folder(location, "static", terminal, |terminal| {
                 terminal.show(&format!("\n{}", output::static_text(&result)));
-                finish(None, output::write_static(&result, location), terminal)
+                let forces = input.output.span_forces;
+                finish(
+                    None,
+                    output::write_static(&result, location, forces),
+                    terminal,
+                )
             })
         }
         _ => DONE,

@@ -19,7 +19,7 @@ mod variational;
 #[cfg(test)]
 mod objectivity_tests;
 
-pub use attachment::{BeamGeometry, BeamNode, Formulation};
+pub use attachment::{BeamGeometry, BeamNode, EVALUATION_POINTS, Formulation};
 pub use beam::Beam;
 pub use distributed::{DistributedLoad, LineLoad};
 pub use electrodes::{BeamElectrode, Potential};

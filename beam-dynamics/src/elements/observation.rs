@@ -1,5 +1,7 @@
 //! Observations: quantities that elements report of a state.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Vector3, Vector6};
 
 use super::air_state::AirState;
@@ -8,7 +10,7 @@ use super::air_state::AirState;
 #[derive(Debug, Clone, PartialEq)]
 pub struct SectionState {
     /// Name of the beam.
-    pub beam: String,
+    pub beam: Arc<str>,
     /// Position along the undeformed beam, -1 to 1 [-].
     pub xi: f64,
     /// Position of the reference line in the model's frame [m].

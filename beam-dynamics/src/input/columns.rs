@@ -6,9 +6,10 @@ use shared_geom::document::{ByHand, Declared, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::analyses::Analyses;
 use super::builder::ModelBuilder;
 use super::misplaced_keys::OF_OUTPUT;
-use crate::case::{Every, OutputSettings, TransientSettings};
+use crate::case::{Every, OutputSettings};
 use crate::integrator::Stepping;
 
 mod column;
@@ -35,6 +36,8 @@ keys! {
     VTU: Option<usize> = "vtu", [Count(usize::MAX)], optional, "5";
     /// Write the air at all strips for this number of the last revolutions, with maps of the disk.
     AIR: Option<usize> = "air_revolutions", [Count(100)], optional, "1";
+    /// Write the internal forces along each blade and line of beams at every row, and their envelope.
+    SPAN_FORCES: bool = "span_forces", [Boolean], or "false" = false, "true";
     /// Interval of the saved states: a number of steps, or a time with its unit.
     RESTART_EVERY: Option<Every> = "restart_every", [Count(usize::MAX), Positive(Dimension::TIME)]
         as "a time above zero with its unit, or a number of steps",
@@ -46,6 +49,8 @@ keys! {
 
 /// Largest number of values in a table: some thirty gigabytes of text and binary.
 const MOST_NUMBERS: f64 = 1e9;
+/// Numbers of a beam in a row of forces: time, position and six components at two points.
+const NUMBERS_OF_BEAM: usize = 16;
 /// Largest number of field files.
 const MOST_FIELDS: f64 = 1e5;
 
@@ -63,8 +68,15 @@ pub(super) fn read(root: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSet
 }
 
 /// Notes output of a run that is too large for a disk.
-pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&TransientSettings>) {
-    let Some(run) = run else { return };
+/// `beams` is the number of beams of the model.
+pub(super) fn check(
+    root: &Table<'_>,
+    output: &OutputSettings,
+    (analyses, beams): (Option<&Analyses>, usize),
+) {
+    let Some(run) = analyses.and_then(|analyses| analyses.transient.as_ref()) else {
+        return;
+    };
     let longest = match run.stepping {
         Stepping::Constant { step } => step,
         Stepping::Variable(control) => control.most,
@@ -80,8 +92,16 @@ pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&Tran
         Some(table) => table.note(key, &problem),
         None => root.note("transient", &problem),
     };
-    let numbers = output.columns.len() + 1;
-    if rows * numbers as f64 > MOST_NUMBERS && (output.csv || output.netcdf) {
+    let of_columns = match output.csv || output.netcdf {
+        true => output.columns.len() + 1,
+        false => 0,
+    };
+    let of_forces = match output.span_forces {
+        true => NUMBERS_OF_BEAM * beams,
+        false => 0,
+    };
+    let numbers = of_columns + of_forces;
+    if rows * numbers as f64 > MOST_NUMBERS {
         note("every", ColumnProblem::ManyRows { rows, numbers });
     }
     let Some(one_of) = output.vtu else { return };
@@ -94,7 +114,7 @@ pub(super) fn check(root: &Table<'_>, output: &OutputSettings, run: Option<&Tran
 fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
     let (rows, restart) = (table.get(&EVERY), table.get(&RESTART_EVERY));
     let (csv, netcdf, vtu) = (table.get(&CSV), table.get(&NETCDF), table.get(&VTU));
-    let air = table.get(&AIR);
+    let (air, span_forces) = (table.get(&AIR), table.get(&SPAN_FORCES));
     if air.flatten().is_some()
         && builder
             .air_blades()
@@ -112,6 +132,7 @@ fn card(table: &Table<'_>, builder: &ModelBuilder) -> Option<OutputSettings> {
         netcdf: netcdf?,
         vtu: vtu?,
         air: air?,
+        span_forces: span_forces?,
         restart: restart?,
     })
 }

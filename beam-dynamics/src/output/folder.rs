@@ -88,11 +88,17 @@ impl<'a> Results<'a> {
     /// Removes the files of an earlier run whose endings begin and end like this, with a
     /// number between.
     pub fn remove_numbered(&self, first: &str, last: &str) {
+        self.remove_between(first, last, |number| number.parse::<f64>().is_ok());
+    }
+
+    /// Removes the files of an earlier run whose endings begin and end like this, with a part
+    /// between that `is_stale`.
+    pub fn remove_between(&self, first: &str, last: &str, is_stale: impl Fn(&str) -> bool) {
         let first = format!("{}.{first}", self.location.name);
         remove_files(&self.location.folder, |name| {
-            let number = name.strip_prefix(&first);
-            let number = number.and_then(|rest| rest.strip_suffix(last));
-            number.is_some_and(|number| number.parse::<f64>().is_ok())
+            let part = name.strip_prefix(&first);
+            let part = part.and_then(|rest| rest.strip_suffix(last));
+            part.is_some_and(&is_stale)
         });
     }
 

@@ -9,13 +9,14 @@ use std::sync::Arc;
 use allocation_counter::measure;
 use beam_dynamics::analysis::transient::transient;
 use beam_dynamics::assembly::{Combination, Residual, Sparse, System, Variation};
-use beam_dynamics::case::{Model, Redundant, TransientSettings};
+use beam_dynamics::case::{Model, OutputSettings, Redundant, TransientSettings};
 use beam_dynamics::elements::Element;
 use beam_dynamics::elements::beams::{Beam, BeamGeometry, BeamInertia, BeamNode, MassAlong};
 use beam_dynamics::elements::bodies::{RigidBody, RigidInertia};
 use beam_dynamics::elements::joints::{Hinge, HingeSpring, clamped};
 use beam_dynamics::integrator::{Jacobians, Scheme, StepControl, Stepping};
 use beam_dynamics::model::Node;
+use beam_dynamics::output::{ResultLocation, RunFiles};
 use beam_dynamics::result::{AcceptedStep, Effort, Recorder};
 use beam_dynamics::solver::StepSolver;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
@@ -217,4 +218,35 @@ fn a_step_that_is_tried_in_vain_allocates_nothing() {
             "{more} in {accepted} steps: {settings:?} {long:?}"
         );
     }
+}
+
+/// Recording of the internal forces along the beams: files are written at every step.
+#[test]
+fn a_row_of_forces_allocates_nothing() {
+    let mut model = model(true);
+    model.beams = vec![[0, 1, 2], [2, 3, 4]];
+    let output = OutputSettings {
+        csv: false,
+        netcdf: false,
+        span_forces: true,
+        ..OutputSettings::default()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let location = ResultLocation::new(folder.path(), "run").with_figures(false);
+    let of = |to: f64| {
+        let settings = TransientSettings::new(to, 1e-3);
+        let mut files = RunFiles::new(&model, &output, &location, None).unwrap();
+        let mut steps = 0;
+        let count = measure(|| {
+            let outcome = transient(&model, &settings, None, &mut files, &|| 0.0);
+            steps = outcome.effort.steps;
+        });
+        (count.count_total, steps)
+    };
+    let ((few, short), (many, long)) = (of(0.01), of(0.03));
+    assert!(few > 0 && long >= 3 * short);
+    assert_eq!(many, few);
+    let table = std::fs::read_to_string(folder.path().join("run.transient.n0_to_n4.forces.csv"));
+    // the start and each step at four points, below the names of the columns
+    assert_eq!(table.unwrap().lines().count(), 1 + 4 * (1 + long));
 }

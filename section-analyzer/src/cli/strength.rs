@@ -32,6 +32,8 @@ use histories::Histories;
 /// The ending of tables of stations, and of the blades beside them.
 const ENDING: &str = ".span.csv";
 const BLADE: &str = ".blade.json";
+/// Endings of tables of loads that are not part of their names.
+const TABLES: [&str; 3] = [".forces.csv", ".envelope.csv", ".csv"];
 /// The folder of the sections, beside the table.
 const SECTIONS: &str = "sections";
 
@@ -106,17 +108,59 @@ fn read(
         member: arguments.member.clone(),
         named: arguments.at.clone(),
     };
-    let loads = read_loads(&arguments.loads, &positions);
-    let SpanLoads { instants, unused } =
-        loads.map_err(|problems| terminal.report_all(&problems))?;
     if stations.iter().any(|station| station.fingerprint.is_none()) {
         let text = "the table has no column \"fingerprint\": whether its sections have changed since is \
                     unknown";
         terminal.warn(span, &[text.to_owned()])?;
     }
-    let warnings = coverage::warnings(&stations, (&instants, &unused));
-    terminal.warn(&arguments.loads, &warnings)?;
-    Ok((stations, instants))
+    let loads = read_tables(&arguments.loads, (&stations, &positions), terminal)?;
+    Ok((stations, loads))
+}
+
+/// Reads tables of loads, and shows warnings about each; the instants of several tables have the name
+/// of their table in their case.
+fn read_tables(
+    files: &[PathBuf],
+    (stations, positions): (&[ListedStation], &LoadPositions),
+    terminal: &mut Terminal<'_>,
+) -> Result<Vec<LoadInstant>, Stop> {
+    let names = table_names(files);
+    let mut loads = Vec::new();
+    let mut wrong = None;
+    for (file, name) in files.iter().zip(&names) {
+        match read_loads(file, positions) {
+            Ok(SpanLoads { instants, unused }) => {
+                let warnings = coverage::warnings(stations, (&instants, &unused));
+                terminal.warn(file, &warnings)?;
+                loads.extend(instants.into_iter().map(|instant| match files.len() {
+                    1 => instant,
+                    _ => instant.of_table(name),
+                }));
+            }
+            Err(problems) => wrong = Some(terminal.report_all(&problems)),
+        }
+    }
+    wrong.map_or(Ok(loads), Err)
+}
+
+/// Names of tables of loads: of their files without endings, or their paths if some files have the
+/// same name.
+fn table_names(files: &[PathBuf]) -> Vec<String> {
+    let short = |path: &Path| {
+        let path = path.display().to_string();
+        let ending = TABLES.iter().find_map(|ending| path.strip_suffix(ending));
+        ending.unwrap_or(&path).to_owned()
+    };
+    let name = |path: &PathBuf| short(Path::new(path.file_name().unwrap_or_default()));
+    let names: Vec<String> = files.iter().map(name).collect();
+    let mut distinct = names.clone();
+    distinct.sort();
+    distinct.dedup();
+    if distinct.len() == names.len() {
+        names
+    } else {
+        files.iter().map(|path| short(path)).collect()
+    }
 }
 
 /// Finds and writes reserve factors, damage and fatigue loads.

@@ -36,6 +36,8 @@ const COMPONENTS: [(&str, Dimension); 6] = [
 ];
 /// Columns that distinguish instants together, with the words for reports.
 const INSTANTS: [&str; 3] = ["case", "time", "step"];
+/// Name of the only load of a table without instants.
+const NAMELESS: &str = "load";
 /// Distance from its only position at which a load is valid [-].
 const NEAR: f64 = 0.005;
 /// Distance beyond the positions of a load that is always small, and one that never is [-].
@@ -69,6 +71,28 @@ impl LoadInstant {
         match b - a {
             width if width > 0.0 => Some(f + (g - f) * ((eta - a) / width)),
             _ => Some(*g),
+        }
+    }
+
+    /// The same instant of one of several tables, whose name precedes its case.
+    #[must_use]
+    pub fn of_table(self, table: &str) -> Self {
+        let own = self.case.as_ref().map(|case| format!("case {case}"));
+        let rest = own.and_then(|own| self.name.strip_prefix(&*own));
+        let rest = rest.unwrap_or(if self.name == NAMELESS {
+            ""
+        } else {
+            &self.name
+        });
+        let case = match &self.case {
+            Some(case) => format!("{table} {case}"),
+            None => table.to_owned(),
+        };
+        let name = format!("case {case} {}", rest.trim_start());
+        Self {
+            name: name.trim_end().to_owned(),
+            case: Some(case),
+            ..self
         }
     }
 

@@ -5,7 +5,7 @@ use shared_geom::rotation::parameters::Parametrization;
 
 /// xi of the evaluation points: the Gauss points, at which the beam of constant properties is exact
 /// at its ends.
-pub(super) const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
+pub const EVALUATION_POINTS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
 /// Relation between the nodal forces of a beam and its section forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

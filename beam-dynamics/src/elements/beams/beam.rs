@@ -16,6 +16,8 @@
 //!
 //! References: [Masarati], the three-node beam (5.2-5.4).
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, Matrix6, Vector3, Vector6};
 
 use super::attachment::{BeamGeometry, EVALUATION_POINTS, Formulation};
@@ -35,7 +37,7 @@ mod evaluation;
 /// A geometrically exact beam through three nodes.
 #[derive(Debug, Clone)]
 pub struct Beam {
-    label: String,
+    label: Arc<str>,
     nodes: [usize; 3],
     geometry: BeamGeometry,
     points: [Point; 2],
@@ -72,7 +74,7 @@ impl Beam {
             law,
         };
         Self {
-            label: label.into(),
+            label: Arc::from(label.into()),
             nodes,
             geometry,
             points: [point(0, first), point(1, second)],
@@ -297,7 +299,7 @@ impl Reports for Beam {
             let point = self.at(index, &nodal, at, &voltages);
             let law = &self.points[index].law;
             out.sections.push(SectionState {
-                beam: self.label.clone(),
+                beam: Arc::clone(&self.label),
                 xi,
                 position: point.kinematics.p,
                 axes: point.kinematics.r,

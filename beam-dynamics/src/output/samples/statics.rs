@@ -49,7 +49,7 @@ fn step(factor: f64) -> StaticStep {
             let arm = LENGTH - s;
             let force = Vector6::new(80.0, -5.0, 1000.0, 20.0, -1000.0 * arm, 5.0 * arm);
             sections.push(SectionState {
-                beam: format!("blade/{}", beam + 1),
+                beam: format!("blade/{}", beam + 1).into(),
                 xi,
                 position: point(s),
                 axes: attitude(s),

@@ -15,22 +15,29 @@ use super::{
 use crate::output::Written;
 use crate::output::air::span_plot;
 use crate::output::folder::{ResultLocation, Results};
+use crate::output::span_forces::{Leads, SpanForces};
 use crate::output::structure::Structure;
+use crate::output::transient::RunFileProblem;
 use crate::result::StaticResult;
+
+/// Columns that distinguish equilibria in tables of forces.
+const LEADS: Leads = &[("step", "-"), ("factor", "-")];
 
 /// Writes `NAME.static.txt`, `NAME.displacements.csv`, `NAME.forces.csv`, `NAME.reactions.csv`,
 /// with electrodes `NAME.electrodes.csv`, with blades in the air `NAME.air.csv`, if figures are
 /// drawn the plots `NAME.deformed`, `NAME.forces`, `NAME.air` and, for three equilibria or more,
 /// `NAME.path`, each as PNG and SVG, and the field files `NAME.static.pvd` with one grid per step in
-/// the folder `NAME.static`, all to `location`.
+/// the folder `NAME.static`, all to `location`; with `span_forces` also the internal forces of each
+/// blade and line of beams, `NAME.static.MEMBER.forces.csv`, and their envelope.
 /// Files of an earlier run that this run does not write are removed.
 ///
 /// # Errors
-/// [`OutputProblem`]: the folder or a file cannot be written.
+/// [`RunFileProblem::Output`]: the folder or a file cannot be written.
 pub fn write_static(
     result: &StaticResult,
     location: &ResultLocation,
-) -> Result<Written, OutputProblem> {
+    span_forces: bool,
+) -> Result<Written, RunFileProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
     remove_all(&results);
@@ -39,6 +46,9 @@ pub fn write_static(
     results.text(TEXT, &text)?;
     results.text(DISPLACEMENTS, &displacement_csv(result))?;
     results.text(FORCES, &force_csv(result))?;
+    if span_forces {
+        write_span_forces(result, &mut results)?;
+    }
     results.text(REACTIONS, &reaction_csv(result))?;
     if result.steps.iter().any(|step| !step.electrodes.is_empty()) {
         results.text(ELECTRODES, &electrode_csv(result))?;
@@ -54,6 +64,19 @@ pub fn write_static(
         write_fields(result, &mut results)?;
     }
     Ok(results.written)
+}
+
+/// The internal forces of all steps along each blade and line of beams, and their envelopes.
+fn write_span_forces(
+    result: &StaticResult,
+    results: &mut Results<'_>,
+) -> Result<(), RunFileProblem> {
+    let structure = Structure::new(&result.nodes, &result.beams, &result.blades);
+    let mut tables = SpanForces::new(&structure, (results, FIELDS), LEADS, None)?;
+    for (number, step) in result.steps.iter().enumerate() {
+        tables.add(&[number as f64, step.factor], &step.sections)?;
+    }
+    tables.finish(results)
 }
 
 /// One grid per step; the values of the series are the factors if they ascend, else the numbers of
@@ -85,7 +108,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("results");
         let location = ResultLocation::new(&results, "x");
-        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &location).unwrap();
+        let written = write_static(&samples::bent(&[0.0, 0.5, 1.0]), &location, false).unwrap();
         let expected = [
             "x.static.txt",
             "x.displacements.csv",
@@ -110,13 +133,13 @@ mod tests {
         );
 
         // A path past a limit point, shorter than the one before.
-        write_static(&samples::bent(&[0.5, 0.4]), &location).unwrap();
+        write_static(&samples::bent(&[0.5, 0.4]), &location, false).unwrap();
         assert!(!results.join("x.path.png").exists());
         assert_eq!(results.join("x.static").read_dir().unwrap().count(), 2);
         let series = std::fs::read_to_string(results.join("x.static.pvd")).unwrap();
         assert!(series.contains("timestep=\"1\""), "{series}");
 
-        let written = write_static(&samples::bent(&[]), &location).unwrap();
+        let written = write_static(&samples::bent(&[]), &location, false).unwrap();
         assert_eq!(names(&written), expected[..4]);
         assert_eq!(results.read_dir().unwrap().count(), 4);
     }

@@ -4,6 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::output::folder::Results;
+use crate::output::span_forces::SpanForces;
 
 pub(super) const TEXT: &str = "static.txt";
 pub(super) const DISPLACEMENTS: &str = "displacements.csv";
@@ -26,6 +27,7 @@ pub(super) const SWEEP_PLOT: [&str; 2] = ["sweep.png", "sweep.svg"];
 pub(super) const SWEEP_FOLDER: &str = "sweep";
 /// Endings of the files that a value may have.
 const ENDINGS: [&str; 6] = ["txt", "csv", "png", "svg", "pvd", "vtu"];
+
 /// Removes the files of an earlier run, of a load path or of a sweep.
 pub(super) fn remove_all(results: &Results<'_>) {
     remove_path(results);
@@ -45,6 +47,7 @@ fn remove_path(results: &Results<'_>) {
     ]);
     results.remove([DEFORMED, ALONG, AIR_PLOT, PATH].into_iter().flatten());
     results.remove_fields(FIELDS);
+    SpanForces::remove_files(results, FIELDS);
 }
 
 /// Removes the files of a sweep.

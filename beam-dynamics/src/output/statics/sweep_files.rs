@@ -1,6 +1,6 @@
 //! The files of equilibria over a parameter.
 
-use shared_geom::files::{OutputProblem, make_folder};
+use shared_geom::files::make_folder;
 
 use super::files::write_static;
 use super::names::{SWEEP_FOLDER, SWEEP_PLOT, SWEEP_TABLE, SWEEP_TEXT, remove_all};
@@ -8,6 +8,7 @@ use super::sweep::{sweep_csv, sweep_plot, sweep_text};
 use crate::input::short_number;
 use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
+use crate::output::transient::RunFileProblem;
 use crate::result::StaticSweep;
 
 /// Digits of a value in the names of files.
@@ -18,11 +19,12 @@ const DIGITS: usize = 9;
 /// begin with the parameter and its value. Files of an earlier run are removed.
 ///
 /// # Errors
-/// [`OutputProblem`]: a folder or a file cannot be made.
+/// [`RunFileProblem::Output`]: a folder or a file cannot be made.
 pub fn write_sweep(
     sweep: &StaticSweep,
     location: &ResultLocation,
-) -> Result<Written, OutputProblem> {
+    span_forces: bool,
+) -> Result<Written, RunFileProblem> {
     make_folder(&location.folder)?;
     let mut results = Results::new(location);
     remove_all(&results);
@@ -38,7 +40,7 @@ pub fn write_sweep(
             name: format!("{}_{at}", sweep.parameter),
             figures: location.figures,
         };
-        write_static(path, &own)?;
+        write_static(path, &own, span_forces)?;
     }
     results.list_fields(SWEEP_FOLDER);
     Ok(results.written)

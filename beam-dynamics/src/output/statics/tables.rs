@@ -53,7 +53,7 @@ pub fn force_csv(result: &StaticResult) -> String {
         let row = |(section, (member, arc)): (&crate::elements::SectionState, (usize, f64))| {
             let mut row = lead.to_vec();
             row.push(structure.members[member].name.clone());
-            row.extend([section.beam.clone(), number(section.xi), number(arc)]);
+            row.extend([section.beam.to_string(), number(section.xi), number(arc)]);
             row.extend(numbers(&section.position));
             row.extend(numbers(&section.internal_force));
             row.extend(numbers(&section.strain));

@@ -210,7 +210,7 @@ fn force_table(structure: &Structure, (step, floors): (&StaticStep, &Floors)) ->
                 short(value(section)),
                 UNITS[component].to_owned(),
                 short(*arc),
-                section.beam.clone(),
+                section.beam.to_string(),
                 member.name.clone(),
             ]);
         }

@@ -5,15 +5,17 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
+use super::problem::RunFileProblem;
+use super::writer::{Heading, RowWriter, cannot_read, cannot_write};
 
-/// A table of comma-separated values. Each row is written by one call of the system, so that no row
-/// is lost if the run is killed.
+/// A table of comma-separated values. Rows that belong together are written by one call of the system,
+/// so that no row is lost if the run is killed.
 #[derive(Debug)]
-pub(super) struct CsvRows {
+pub(in crate::output) struct CsvRows {
     path: PathBuf,
     file: File,
-    line: String,
+    /// Rows that are not yet written.
+    added: String,
 }
 
 impl CsvRows {
@@ -26,7 +28,7 @@ impl CsvRows {
         Ok(Self {
             path: path.to_owned(),
             file,
-            line: String::new(),
+            added: String::new(),
         })
     }
 
@@ -57,8 +59,43 @@ impl CsvRows {
         Ok(Self {
             path: path.to_owned(),
             file: open().map_err(|error| cannot_write(path, &error))?,
-            line: String::new(),
+            added: String::new(),
         })
+    }
+}
+
+impl CsvRows {
+    /// Path of the table.
+    pub fn file(&self) -> &Path {
+        &self.path
+    }
+
+    /// The present content of the file.
+    ///
+    /// # Errors
+    /// [`RunFileProblem::Unreadable`].
+    pub fn content(&self) -> Result<String, RunFileProblem> {
+        std::fs::read_to_string(&self.path).map_err(|error| cannot_read(&self.path, &error))
+    }
+
+    /// Adds a row, without writing it yet.
+    pub fn add(&mut self, row: &[f64]) {
+        for (k, value) in row.iter().enumerate() {
+            let comma = if k > 0 { "," } else { "" };
+            // The shortest text that is read as the same number. Writing to a text cannot fail.
+            let _ = write!(self.added, "{comma}{value:?}");
+        }
+        self.added.push('\n');
+    }
+
+    /// Writes the rows added since the last call.
+    ///
+    /// # Errors
+    /// [`RunFileProblem::Output`].
+    pub fn write_added(&mut self) -> Result<(), RunFileProblem> {
+        let written = self.file.write_all(self.added.as_bytes());
+        self.added.clear();
+        written.map_err(|error| cannot_write(&self.path, &error))
     }
 }
 
@@ -68,16 +105,8 @@ impl RowWriter for CsvRows {
     }
 
     fn write(&mut self, row: &[f64]) -> Result<(), RunFileProblem> {
-        self.line.clear();
-        for (k, value) in row.iter().enumerate() {
-            let comma = if k > 0 { "," } else { "" };
-            // The shortest text that is read as the same number. Writing to a text cannot fail.
-            let _ = write!(self.line, "{comma}{value:?}");
-        }
-        self.line.push('\n');
-        self.file
-            .write_all(self.line.as_bytes())
-            .map_err(|error| cannot_write(&self.path, &error))
+        self.add(row);
+        self.write_added()
     }
 }
 

@@ -8,16 +8,21 @@ use super::csv_rows::CsvRows;
 use super::grids::{FIELDS, Grids, SERIES};
 use super::netcdf_rows::NetcdfRows;
 use super::restart::write_snapshot;
-use super::{Heading, RowWriter, RunFileProblem, TimePlot, TimeTable};
+use super::span_record::SpanRecord;
+use super::writer::RowWriter;
+use super::{Heading, RunFileProblem, TimePlot, TimeTable};
 use crate::case::{Every, Model, OutputSettings};
 use crate::output::Written;
 use crate::output::air::AirRecord;
 use crate::output::folder::{ResultLocation, Results};
+use crate::output::span_forces::SpanForces;
 use crate::result::{AcceptedStep, ColumnValues, Recorder, Snapshot};
 
 /// Endings of the files of a run.
 #[derive(Debug)]
 struct Names {
+    /// The analysis, in names of tables of forces.
+    analysis: &'static str,
     csv: &'static str,
     netcdf: &'static str,
     text: &'static str,
@@ -25,12 +30,14 @@ struct Names {
 }
 
 const TRANSIENT: Names = Names {
+    analysis: "transient",
     csv: "transient.csv",
     netcdf: "transient.nc",
     text: "transient.txt",
     plot: ["transient.png", "transient.svg"],
 };
 const PERIODIC: Names = Names {
+    analysis: "periodic",
     csv: "periodic.csv",
     netcdf: "periodic.nc",
     text: "periodic.txt",
@@ -43,7 +50,9 @@ const MOST_NUMBERS: usize = 20_000_000;
 /// Writes `NAME.transient.csv` and `NAME.transient.nc` (a row every `every`), field files in
 /// `NAME.transient` with their series `NAME.transient.pvd`, `NAME.restart.json`, and at the end
 /// `NAME.transient.txt` and, if figures are drawn, a figure of all columns; with blades in the air
-/// and on request `NAME.transient_air.csv` with maps of the disk of each rotor, `NAME.disk_1`.
+/// and on request `NAME.transient_air.csv` with maps of the disk of each rotor, `NAME.disk_1`; on
+/// request the internal forces along each blade and line of beams,
+/// `NAME.transient.MEMBER.forces.csv` and their envelope `NAME.transient.MEMBER.envelope.csv`.
 #[derive(Debug)]
 pub struct RunFiles<'a> {
     names: &'static Names,
@@ -52,6 +61,7 @@ pub struct RunFiles<'a> {
     tables: Vec<Box<dyn RowWriter>>,
     grids: Option<(Grids<'a>, usize)>,
     air: Option<AirRecord<'a>>,
+    forces: Option<SpanRecord<'a>>,
     rows: Schedule,
     restarts: Option<Schedule>,
     kept: Option<PathBuf>,
@@ -127,6 +137,7 @@ impl<'a> RunFiles<'a> {
             tables: Vec::new(),
             grids: settings.vtu.map(|each| (Grids::new(model), each)),
             air: settings.air.map(|count| AirRecord::new(model, count)),
+            forces: None,
             rows: Schedule::new(settings.every, resumed),
             restarts: settings.restart.map(|every| Schedule::new(every, resumed)),
             kept: None,
@@ -143,16 +154,21 @@ impl<'a> RunFiles<'a> {
         AirRecord::remove_files(&files.results);
         if resumed.is_none() {
             files.results.remove([names.csv, names.netcdf]);
+            SpanForces::remove_files(&files.results, names.analysis);
         }
         Ok(files)
     }
 
     fn open_tables(
         &mut self,
-        model: &Model,
+        model: &'a Model,
         settings: &OutputSettings,
         time: Option<f64>,
     ) -> Result<(), RunFileProblem> {
+        if settings.span_forces {
+            let files = (&self.results, self.names.analysis);
+            self.forces = Some(SpanRecord::new(model, files, time)?);
+        }
         let of_columns = settings.columns.iter().map(Heading::of);
         let headings: Vec<_> = std::iter::once(Heading::time()).chain(of_columns).collect();
         if settings.csv {
@@ -211,6 +227,9 @@ impl<'a> RunFiles<'a> {
         if let Some(air) = &self.air {
             air.write(&mut self.results)?;
         }
+        if let Some(forces) = &self.forces {
+            forces.write(&mut self.results)?;
+        }
         if self.grids.is_some() && self.results.path(SERIES).exists() {
             let series = self.results.path(SERIES);
             self.results.written.files.push(series);
@@ -245,6 +264,9 @@ impl<'a> RunFiles<'a> {
         }
         if let Some(air) = &mut self.air {
             air.add(accepted);
+        }
+        if let Some(forces) = &mut self.forces {
+            forces.add(accepted)?;
         }
         self.written = Some(accepted.step);
         Ok(())

@@ -14,7 +14,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use netcdf3::{DataSet, FileWriter, InvalidDataSet, Version};
 
-use super::{Heading, RowWriter, RunFileProblem, cannot_read, cannot_write};
+use super::problem::RunFileProblem;
+use super::writer::{Heading, RowWriter, cannot_read, cannot_write};
 
 /// Offset of the number of records, four bytes.
 const COUNT: std::ops::Range<usize> = 4..8;

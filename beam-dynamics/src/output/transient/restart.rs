@@ -6,7 +6,8 @@ use serde_json::error::Category;
 use shared_geom::file_kind::FileKind;
 use shared_geom::files::read_bytes;
 
-use super::{RunFileProblem, cannot_read, cannot_write};
+use super::RunFileProblem;
+use super::writer::{cannot_read, cannot_write};
 use crate::result::Snapshot;
 
 /// Writes a snapshot, numbers as the shortest text that is read as the same bits. An existing file

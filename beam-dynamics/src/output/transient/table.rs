@@ -6,7 +6,8 @@ use shared_geom::files::read_bytes;
 use shared_geom::units::{Dimension, parse_as};
 
 use super::netcdf_table::{self, Content};
-use super::{Heading, RunFileProblem, cannot_read};
+use super::writer::cannot_read;
+use super::{Heading, RunFileProblem};
 
 /// Endings of results that are not part of the names of runs.
 const ENDINGS: [&str; 4] = [".transient.csv", ".transient.nc", ".csv", ".nc"];

@@ -13,12 +13,15 @@ Reserve factors and damage of all plies of a blade under many loads, and fatigue
 SPAN is the table NAME.span.csv that \"blade\" wrote, next to the folder of its sections, or the
 blade NAME.blade.json beside it. LOADS has internal forces along the blade, about its line and in section axes, names with units:
   arc [m] or eta; any of case, time, step; axial [N], shear_y [N], ..., bending_z [N m]
-                      a row for each position and instant, in any order, as \"beam-dynamics static\" writes
+                      a row for each position and instant, in any order, as \"beam-dynamics\" writes
+                      with span_forces = true in [output]: NAME.ANALYSIS.BLADE.forces.csv, and
+                      the table of extremes NAME.ANALYSIS.BLADE.envelope.csv
   time [s]; case, member; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position
                       of each NAME by --at NAME=ETA
   arc [m] or eta; axial max [N], axial min [N], ..., bending z min [N m]
                       an envelope: each combination of largest and smallest values is a load
+Several tables are read together; the name of its table precedes the case of each instant.
 Between the positions forces are linear. Units stand in square brackets, also of times and
 positions; without them numbers are in SI units. Written are, next to SPAN or into DIR:
   NAME.strength.csv   by station and ply: the smallest reserve factor over all instants, its
@@ -33,7 +36,8 @@ columns case and duration [h]; without it each history occurs once.";
 
 pub(super) const STRENGTH_EXAMPLE: &str = "\
 Examples:
-  section-analyzer strength rotor/rotor.span.csv --loads results/gust.forces.csv
+  section-analyzer strength rotor/rotor.span.csv --loads results/gust.transient.blade_1.forces.csv
+  section-analyzer strength rotor/rotor.span.csv --loads calm.csv --loads storm.csv
   section-analyzer strength rotor/rotor.span.csv --loads results/run.transient.csv \\
     --at root=0.02 --at mid=0.5 --exponents 4,10
   section-analyzer strength rotor/rotor.span.csv --loads cases.csv --durations life.csv";
@@ -60,9 +64,9 @@ fn positive(text: &str) -> Result<f64, &'static str> {
 pub(in crate::cli) struct StrengthArguments {
     /// Table of the stations of a blade, NAME.span.csv, or the blade beside it, NAME.blade.json
     pub span: PathBuf,
-    /// Table of internal forces
-    #[arg(long, value_name = "FILE")]
-    pub loads: PathBuf,
+    /// Table of internal forces; may be given more than once
+    #[arg(long, value_name = "FILE", required = true)]
+    pub loads: Vec<PathBuf>,
     /// The blade or beam, if the table has several
     #[arg(long, value_name = "NAME")]
     pub member: Option<String>,

@@ -14,8 +14,19 @@ pub(super) type Components = [Option<(usize, f64)>; 6];
 /// Columns of positions, and how far beyond the blade they may be, parts of its length: the length of
 /// another model of the blade may differ.
 const POSITIONS: [(&str, f64); 3] = [("eta", 1e-9), ("arc", 0.01), ("arc_length", 0.01)];
-/// Other columns of the tables of equilibria.
-const RESULTS: [&str; 7] = ["factor", "beam", "xi", "x", "y", "z", "node"];
+/// Other columns of the tables of equilibria and envelopes.
+const RESULTS: [&str; 10] = [
+    "factor",
+    "beam",
+    "xi",
+    "x",
+    "y",
+    "z",
+    "node",
+    "at_time",
+    "at_step",
+    "at_factor",
+];
 const STRAINS: &str = "strain_";
 /// Words in names of forces and moments, and names by letters.
 const WORDS: [&str; 9] = [

@@ -6,7 +6,7 @@ use shared_geom::error::Diagnostics;
 use shared_geom::units::{Dimension, rounded};
 
 use super::super::column_table::Row;
-use super::{INSTANTS, LoadInstant, LoadTable};
+use super::{INSTANTS, LoadInstant, LoadTable, NAMELESS};
 
 /// The cells that distinguish instants: the case, the time and the step.
 type Key = [Option<String>; 3];
@@ -65,7 +65,7 @@ impl<'a> Instants<'a> {
             let words: Vec<String> = words.collect();
             self.found.push(LoadInstant {
                 name: match words.is_empty() {
-                    true => "load".to_owned(),
+                    true => NAMELESS.to_owned(),
                     false => words.join(" "),
                 },
                 case,

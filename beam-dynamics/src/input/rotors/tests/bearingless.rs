@@ -184,7 +184,7 @@ fn rigid_controls_prescribe_the_pitch() {
         let beams = step
             .sections
             .iter()
-            .filter(|own| own.beam == "r 1/flexbeam/beam 1");
+            .filter(|own| &*own.beam == "r 1/flexbeam/beam 1");
         for section in beams {
             let tension = section.internal_force[0];
             assert!((tension / force - 1.0).abs() < 1e-4, "{tension} {force}");
