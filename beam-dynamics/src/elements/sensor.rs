@@ -11,8 +11,9 @@
 //! ```
 //!
 //! and angular velocities and momenta likewise; without a, x_a, v_a are zero and R_a is I. The
-//! rotation vector changes by `d w = T^-1(w) R_a^T (theta_b - theta_a)`, and a variation theta_c of
-//! the axes turns e by `theta_c x e`.
+//! rotation vector has components in the axes of a, so that its part is `e . R_a w`: seen in the axes
+//! of a, the component itself. It changes by `d w = T^-1(w) R_a^T (theta_b - theta_a)`, a variation
+//! theta_a turns R_a w by `theta_a x R_a w`, and theta_c of the axes turns e by `theta_c x e`.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::rotation::vector;
@@ -102,7 +103,7 @@ impl NodeReading {
         }
     }
 
-    /// w.
+    /// w, of rotations `R_a w`.
     fn vector(&self, nodes: &[NodeMotion], frame: &TurningFrame) -> Vector3<f64> {
         let (b, a) = ends(&self.quantity, nodes);
         let less =
@@ -120,7 +121,8 @@ impl NodeReading {
             NodeVector::Momentum => less(&|node| node.momentum),
             NodeVector::AngularMomentum => less(&|node| node.angular_momentum),
             NodeVector::Rotation | NodeVector::Attitude => {
-                vector::from_rotation(&(attitude(b, a) * self.undeformed))
+                let w = vector::from_rotation(&(attitude(b, a) * self.undeformed));
+                a.map_or(w, |a| a.rotation * w)
             }
             NodeVector::Euler(axes) => euler_angles(&attitude(b, a), axes),
         }
@@ -157,9 +159,13 @@ impl NodeReading {
             NodeVector::AngularMomentum => both(Variable::AngularMomentum, &e),
             NodeVector::Rotation | NodeVector::Attitude | NodeVector::Euler(_) => {
                 let (_, a) = ends(&self.quantity, nodes);
-                let slope = vector::tangent_inverse(&w).tr_mul(&e);
                 let into = a.map_or_else(Matrix3::identity, |a| a.rotation);
+                let inverse = vector::tangent_inverse(&into.tr_mul(&w));
+                let slope = inverse.tr_mul(&into.tr_mul(&e));
                 both(Variable::Rotation, &(into * slope));
+                if let (Some(against), Part::Component(_)) = (against, part) {
+                    row.by_node(against, Variable::Rotation, &w.cross(&e));
+                }
             }
         }
         if let (Axes::Node(node), Part::Component(_)) = (self.quantity.axes, part) {

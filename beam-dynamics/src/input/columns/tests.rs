@@ -371,6 +371,46 @@ fn vectors_are_written_in_frames_of_the_model() {
     assert_relative_eq!(found[6], found[7], epsilon = 1e-14);
 }
 
+// `R(w) = R_a^T R_b R_b0^T R_a0` has components in the axes of a; the vector in space is `R_a w`. 200
+// random attitudes of three nodes from a fixed seed; the tolerance is round-off of logarithms of
+// rotations below three quarters of a turn.
+#[test]
+fn relative_rotations_have_components_in_any_axes() {
+    let relative = "against = \"root\"\n";
+    let cards = ["", "in = \"root\"", "in = \"mid\"", "in = \"model\""];
+    let cards: Vec<_> = (cards.iter().enumerate())
+        .map(|(k, axes)| {
+            card(
+                &format!("c{k}"),
+                "rotation",
+                "the tip",
+                &format!("{relative}{axes}"),
+            )
+        })
+        .collect();
+    let rest = input("").unwrap().model.system.rest();
+    let [a0, b0] = [0, 2].map(|k| rest.nodes[k].rotation);
+    // Fractional parts of multiples of the golden ratio and its powers: even over the cube.
+    let angle =
+        |n: usize, k: usize| 2.6 * ((n as f64 * 0.618_034_f64.powi(k as i32 + 1)) % 1.0) - 1.3;
+    for n in 1..=200 {
+        let turn = |node: usize| Vector3::from_fn(|i, _| angle(n, 3 * node + i));
+        let turns = [0, 1, 2].map(|node| vector::to_rotation(&turn(node)));
+        let found = numbers(&cards.concat(), |state| {
+            for (node, turn) in state.nodes.iter_mut().zip(&turns) {
+                node.rotation = turn * node.rotation;
+            }
+        });
+        let [a, c, b] = [0, 1, 2].map(|k| turns[k] * rest.nodes[k].rotation);
+        let w = vector::from_rotation(&(a.transpose() * b * b0.transpose() * a0));
+        let expected = [w, w, c.transpose() * (a * w), a * w];
+        let expected = expected.iter().flat_map(|vector| vector.iter());
+        for (found, expected) in found.iter().zip(expected) {
+            assert_relative_eq!(*found, expected.to_degrees(), epsilon = 1e-9);
+        }
+    }
+}
+
 #[test]
 fn frames_of_columns_are_looked_for_with_the_nodes() {
     let cards = [

@@ -301,7 +301,7 @@ pub(in crate::input) const OF_COLUMNS: [Family; 19] = [
 
 keys! {
     /// Another node to which the quantity is relative: vectors are subtracted, rotations are seen
-    /// by it.
+    /// by it, with components in its axes without `in`.
     pub(super) AGAINST: Option<String> = "against", [Text], optional, "\"mast\"";
     /// Axes of the components: `"model"`, the name of a node for its current axes, or of a frame.
     pub(super) IN: Option<String> = "in", [Text], or "\"model\"", "\"mast\"";

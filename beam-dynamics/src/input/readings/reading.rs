@@ -189,6 +189,12 @@ impl Reading<'_> {
         }
         let (parts, axes) = (self.vector_parts(), self.axes(false));
         let ((name, node), against, parts, (axes, frame)) = (node?, against?, parts?, axes?);
+        // A rotation seen by a node is in the axes of this node.
+        let own = match (vector, &against) {
+            (NodeVector::Rotation | NodeVector::Attitude, Some((node, _))) => Axes::Node(*node),
+            _ => axes,
+        };
+        let axes = if self.table.has(IN.name()) { axes } else { own };
         let other = match &against {
             Some((_, other)) => format!(" relative to {other}"),
             None => String::new(),
