@@ -1,11 +1,11 @@
-//! Compressibility of tables without Mach numbers, and of linear lift.
+//! Compressibility of tables without Mach numbers or of one Mach number, and of linear lift.
 //!
 //! ```text
-//! c_l(M) = c_l (1 + w (1/sqrt(1 - M^2) - 1)),   c_m likewise
+//! c_l(M) = c_l(M_0) g(M) / g(M_0),   g(M) = 1 + w (1/sqrt(1 - M^2) - 1),   c_m likewise
 //! ```
 //!
-//! where w is one up to 15 deg and fades to zero at 30 deg: separated and reverse flow are left as
-//! they are. Curves are made at Mach numbers in steps of 0.05 or less up to a limit, from which on
+//! where M_0 is the Mach number of the table, zero if it states none, and w is one up to 15 deg and
+//! fades to zero at 30 deg: separated and reverse flow are left as they are. Curves are made at Mach numbers in steps of 0.05 or less up to a limit, from which on
 //! coefficients are constant.
 //!
 //! # References
@@ -27,12 +27,14 @@ impl AirfoilData {
     /// is kept.
     ///
     /// # Errors
-    /// A table that has Mach numbers, which contains compressibility; a limit that is not
+    /// A table over several Mach numbers, which contains compressibility; a limit that is not
     /// between 0 and 0.95.
     pub fn with_compressibility(&self, mach_limit: f64) -> Result<Self, Vec<AirfoilProblem>> {
         let mut problems = Vec::new();
-        let mut curves = self.lift.iter().chain(&self.drag).chain(&self.moment);
-        if curves.any(|curve| curve.mach.is_some()) {
+        let curves = || self.lift.iter().chain(&self.drag).chain(&self.moment);
+        let own = curves().next().and_then(|curve| curve.mach);
+        let has_several = curves().any(|curve| curve.mach != own);
+        if has_several || own.is_some_and(|own| own > MACH_LARGEST) {
             let airfoil = self.name.clone();
             problems.push(AirfoilProblem::HasMach { airfoil });
         }
@@ -40,9 +42,15 @@ impl AirfoilData {
         if !problems.is_empty() {
             return Err(problems);
         }
+        let without = |curve: &Curve| Curve {
+            mach: None,
+            ..curve.clone()
+        };
+        let from = own.unwrap_or(0.0);
         Ok(Self {
-            lift: compressible(&self.lift, mach_limit),
-            moment: compressible(&self.moment, mach_limit),
+            lift: compressible(&self.lift, (from, mach_limit)),
+            drag: self.drag.iter().map(without).collect(),
+            moment: compressible(&self.moment, (from, mach_limit)),
             ..self.clone()
         })
     }
@@ -75,23 +83,26 @@ fn wrong_limit(name: &str, limit: f64) -> Option<AirfoilProblem> {
     })
 }
 
-/// The curves at all Mach numbers.
-fn compressible(curves: &[Curve], limit: f64) -> Vec<Curve> {
+/// The curves of the Mach number `from` at all Mach numbers up to `limit`.
+fn compressible(curves: &[Curve], (from, limit): (f64, f64)) -> Vec<Curve> {
     let steps = (limit / STEP).ceil().max(1.0);
     let mach = |k: u32| f64::from(k) / steps * limit;
     let all = |curve: &Curve| {
         let curve = curve.clone();
-        (0..=steps as u32).map(move |k| at_mach(&curve, mach(k)))
+        (0..=steps as u32).map(move |k| at_mach(&curve, from, mach(k)))
     };
     curves.iter().flat_map(all).collect()
 }
 
-/// The curve at one Mach number.
-fn at_mach(curve: &Curve, mach: f64) -> Curve {
-    let rise = 1.0 / (1.0 - mach * mach).sqrt() - 1.0;
+/// The curve of the Mach number `own` at another one.
+fn at_mach(curve: &Curve, own: f64, mach: f64) -> Curve {
     let [from, to] = FADE_DEG.map(f64::to_radians);
+    let factor = |alpha: f64, mach: f64| {
+        let rise = 1.0 / (1.0 - mach * mach).sqrt() - 1.0;
+        1.0 + rise * faded(alpha, from, to)
+    };
     let points = curve.alpha.iter().zip(&curve.values);
-    let value = |(alpha, value): (&f64, &f64)| value * (1.0 + rise * faded(*alpha, from, to));
+    let value = |(alpha, value): (&f64, &f64)| value * factor(*alpha, mach) / factor(*alpha, own);
     Curve {
         mach: Some(mach),
         values: points.map(value).collect(),
@@ -148,6 +159,35 @@ mod tests {
         }
         for alpha in [-170.0, -31.0, 40.0, 120.0] {
             assert_eq!(at(&airfoil, alpha, 0.7), at(&plain, alpha, 0.7));
+        }
+    }
+
+    /// A table of the Mach number .5 that the factor made from one of Mach number 0 gives this one back.
+    #[test]
+    fn a_table_of_one_mach_number_is_its_own_start() {
+        let whole = table().with_compressibility(0.8).unwrap();
+        let at_half = |curves: &[Curve]| {
+            let own = |curve: &&Curve| (curve.mach.unwrap_or(0.5) - 0.5).abs() < 1e-9;
+            let curves = curves.iter().filter(own).cloned();
+            let stated = curves.map(|curve| Curve {
+                mach: Some(0.5),
+                ..curve
+            });
+            stated.collect::<Vec<_>>()
+        };
+        let half = AirfoilData {
+            lift: at_half(&whole.lift),
+            drag: at_half(&whole.drag),
+            moment: at_half(&whole.moment),
+            ..whole.clone()
+        };
+        assert_eq!(half.lift.len(), 1);
+        let again = half.with_compressibility(0.8).unwrap();
+        assert_eq!(again.drag, whole.drag);
+        for (own, expected) in again.lift.iter().zip(&whole.lift) {
+            let pairs = own.values.iter().zip(&expected.values);
+            let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(own.mach == expected.mach && off < 1e-13, "{off}");
         }
     }
 

@@ -165,7 +165,7 @@ pub enum AirfoilProblem {
         /// Largest value accepted \[-\].
         to: f64,
     },
-    /// Compressibility is requested for a table with Mach numbers.
+    /// Compressibility is requested for a table over Mach numbers.
     #[error("airfoil \"{airfoil}\" has curves over the Mach number, which contain compressibility")]
     HasMach {
         /// Name.

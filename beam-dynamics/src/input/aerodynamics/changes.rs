@@ -13,8 +13,8 @@ keys! {
     pub(super) STALL_DELAY: ByHand = "stall_delay", [OneTable(&STALL_DELAY_CARD)], optional, "";
     /// Extension of a table to the full circle by Viterna and Corrigan: `true`, or its constants.
     pub(super) VITERNA: ByHand = "viterna", [Boolean, OneTable(&VITERNA_CARD)], or "false", "true";
-    /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers, or on linear
-    /// lift, constant from this Mach number on.
+    /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers or of one, or
+    /// on linear lift, constant from this Mach number on.
     pub(super) COMPRESSIBLE: Option<f64> = "compressible_to", [Positive(Dimension::NUMBER)], optional, "0.8";
     /// Whether the section is upside down.
     pub(super) MIRROR: bool = "mirror", [Boolean], or "false" = false, "true";
