@@ -6,6 +6,7 @@
 //! in the section axes (x along the beam, y and z in the section). SI units.
 
 use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, Vector2, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 
 use crate::wrench;
 use prestress::strains_of_turned;
@@ -159,6 +160,18 @@ pub struct Provenance {
     pub cells: usize,
     /// Later changes of point and axes, in their order.
     pub history: Vec<Step>,
+    /// Files of the sections of a blade, one for each of its stations, or none.
+    pub sections: Vec<SectionFile>,
+}
+
+/// The file of the section of a station, from which its stresses can be recovered.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SectionFile {
+    /// Its path from the folder of the blade file, with `/` between folders.
+    pub file: String,
+    /// Fingerprint of the file and its mesh.
+    pub fingerprint: String,
 }
 
 impl SectionProperties {

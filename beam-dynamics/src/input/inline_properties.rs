@@ -121,6 +121,7 @@ fn provenance() -> Provenance {
         nodes: 0,
         cells: 0,
         history: Vec::new(),
+        sections: Vec::new(),
     }
 }
 

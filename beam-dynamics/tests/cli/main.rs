@@ -153,6 +153,7 @@ fn strip() -> SectionProperties {
             nodes: 0,
             cells: 0,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     }
 }

@@ -127,7 +127,7 @@ fn solve_sections(
     let ended = solve_all(&plan.jobs, arguments.threads, &solve, terminal)?;
     let missing = plan.missing();
     let span = SolvedSpan {
-        name: &name,
+        name: layup.name.as_deref().unwrap_or(&name),
         line,
         stations: plan
             .solved
@@ -136,8 +136,10 @@ fn solve_sections(
             .collect(),
     };
     let is_written = missing.is_empty() || arguments.skip_failed;
+    let other = other.map(|reading| reading.blade);
     let request = Request {
         modes,
+        other: other.clone(),
         missing: missing.clone(),
     };
     let page = arguments.report.then(|| request.page(layup, &span, &files));
@@ -146,7 +148,7 @@ fn solve_sections(
         span: &span,
         page,
         is_written,
-        other: other.map(|reading| reading.blade),
+        other,
     };
     let written = results::write(&results, &files, arguments, terminal);
     terminal.warn(file, &remarks(&span, is_written))?;

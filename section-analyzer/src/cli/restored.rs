@@ -14,8 +14,9 @@ use crate::solution::SectionSolution;
 #[derive(Debug)]
 pub(super) struct Restored {
     pub solution: SectionSolution,
-    /// Whether it is made from the result files; else the section has been solved.
-    pub is_known: bool,
+    /// The properties of the result files from which it is made; without them the section has been
+    /// solved.
+    pub known: Option<SectionProperties>,
 }
 
 impl Restored {
@@ -25,13 +26,16 @@ impl Restored {
     /// # Errors
     /// As [`solve`].
     pub fn new(input: &Input, job: &Job) -> Result<Self, Failure> {
-        let known = known(input, job);
-        let is_known = known.is_some();
-        let solution = match known {
-            Some(solution) => solution,
-            None => solve(input, false)?.solution,
-        };
-        Ok(Self { solution, is_known })
+        Ok(match known(input, job) {
+            Some((properties, solution)) => Self {
+                solution,
+                known: Some(properties),
+            },
+            None => Self {
+                solution: solve(input, false)?.solution,
+                known: None,
+            },
+        })
     }
 }
 
@@ -57,14 +61,15 @@ pub(super) fn solution_of(
 }
 
 /// The solution from the result files; `None` if they are missing, changed or of other inputs.
-fn known(input: &Input, job: &Job) -> Option<SectionSolution> {
+fn known(input: &Input, job: &Job) -> Option<(SectionProperties, SectionSolution)> {
     let files = OutputFiles::new(&job.folder, &job.name).ok()?;
     let record = AnalysisRecord::read(&files)?;
     if !record.holds(&files, &made_from(input, &Run::plain(false))) {
         return None;
     }
     let properties = section::read(&files.properties()).ok()?;
-    from_results(input, &properties, warping(input, &files)?)
+    let solution = from_results(input, &properties, warping(input, &files)?)?;
+    Some((properties, solution))
 }
 
 /// The warping in the result files of a section.

@@ -14,7 +14,7 @@ use super::restored::Restored;
 use super::{NOT_REACHED, Stop, Terminal, WRONG_INPUT, list, list_removed};
 use crate::input;
 use crate::input::span_loads::{
-    ListedStation, LoadInstant, LoadPositions, SpanLoads, read_loads, read_stations,
+    ListedStation, LoadInstant, LoadPositions, SpanLoads, blade_name, read_loads, read_stations,
 };
 use crate::material::MaterialLimits;
 use crate::output::{
@@ -29,22 +29,8 @@ mod histories;
 
 use histories::Histories;
 
-/// The ending of tables of stations, and of the blades beside them.
-const ENDING: &str = ".span.csv";
-const BLADE: &str = ".blade.json";
 /// Endings of tables of loads that are not part of their names.
 const TABLES: [&str; 3] = [".forces.csv", ".envelope.csv", ".csv"];
-/// The folder of the sections, beside the table.
-const SECTIONS: &str = "sections";
-
-/// The table of stations at `path`, or beside the blade there.
-fn table_of(path: &Path) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    match name.strip_suffix(BLADE) {
-        Some(name) => path.with_file_name(format!("{name}{ENDING}")),
-        None => path.to_owned(),
-    }
-}
 
 /// A reason for which there are no reserve factors.
 #[derive(Debug, thiserror::Error)]
@@ -53,9 +39,9 @@ enum NoStrength {
     Limits,
     #[error("no station is at the position of a load, the stations are at eta {}", .stations.join(", "))]
     Positions { stations: Vec<String> },
-    #[error("the table has no station beyond the root")]
+    #[error("the blade has no station beyond the root")]
     Length,
-    #[error("sections have changed since the table was written: {}", quoted(.sections))]
+    #[error("sections have changed since the blade was solved: {}", quoted(.sections))]
     Changed { sections: Vec<String> },
 }
 
@@ -89,20 +75,18 @@ fn wrong(span: &Path, problem: &NoStrength) -> Diagnostics {
     Diagnostics::one(SourceLocation::file(span.display().to_string()), problem)
 }
 
-/// Reads the stations of the table `span` with sections below `folder`, and the loads; shows
-/// warnings about both.
+/// Reads the stations and the loads; shows warnings about both.
 fn read(
     arguments: &StrengthArguments,
-    (span, folder): (&Path, &Path),
     terminal: &mut Terminal<'_>,
 ) -> Result<(Vec<ListedStation>, Vec<LoadInstant>), Stop> {
+    let span = &*arguments.span;
     let stations = read_stations(span).map_err(|problems| terminal.report_all(&problems))?;
     let outer = stations.iter().rev().find(|station| station.eta > 0.0);
     let Some(outer) = outer else {
         return Err(terminal.report_all(&wrong(span, &NoStrength::Length)));
     };
-    check_sections(&stations, folder)
-        .map_err(|problem| terminal.report_all(&wrong(span, &problem)))?;
+    check_sections(&stations).map_err(|problem| terminal.report_all(&wrong(span, &problem)))?;
     let positions = LoadPositions {
         length: outer.arc_length / outer.eta,
         member: arguments.member.clone(),
@@ -168,12 +152,11 @@ pub(super) fn envelope(
     arguments: &StrengthArguments,
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
-    let span = &table_of(&arguments.span);
-    let folder = span.parent().unwrap_or(Path::new(""));
-    let (stations, loads) = read(arguments, (span, folder), terminal)?;
+    let span = &*arguments.span;
+    let (stations, loads) = read(arguments, terminal)?;
     let histories = Histories::new(&loads, arguments.durations.as_deref());
     let histories = histories.map_err(|problems| terminal.report_all(&problems))?;
-    let jobs = jobs_of(&stations, folder);
+    let jobs = jobs_of(&stations);
     let target = Target::new(arguments);
     let _lock = target
         .open()
@@ -231,10 +214,9 @@ fn nothing(stations: &[ListedStation], loads: &[LoadInstant]) -> NoStrength {
     }
 }
 
-/// Checks that the sections of stations, below `folder`, belong to the table.
-fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStrength> {
-    let folder = folder.join(SECTIONS);
-    let changed = stations.iter().filter(|one| one.has_changed(&folder));
+/// Checks that the sections of stations belong to the table.
+fn check_sections(stations: &[ListedStation]) -> Result<(), NoStrength> {
+    let changed = stations.iter().filter(|one| one.has_changed());
     let sections: Vec<String> = changed.map(|one| one.section.clone()).collect();
     if sections.is_empty() {
         Ok(())
@@ -243,12 +225,11 @@ fn check_sections(stations: &[ListedStation], folder: &Path) -> Result<(), NoStr
     }
 }
 
-/// The section files of stations, below `folder`.
-fn jobs_of(stations: &[ListedStation], folder: &Path) -> Vec<Job> {
-    let folder = folder.join(SECTIONS);
+/// The section files of stations.
+fn jobs_of(stations: &[ListedStation]) -> Vec<Job> {
     let job = |station: &ListedStation| Job {
-        file: folder.join(format!("{}.section.toml", station.section)),
-        folder: folder.clone(),
+        file: station.file(),
+        folder: station.folder.clone(),
         name: station.section.clone(),
         label: format!("eta {}", station.label()),
     };
@@ -286,13 +267,13 @@ fn rows(
     };
     let reserves = reserves.into_iter().map(row).collect();
     let damages = damages(station, &input, &points, (histories, !forces.is_empty()));
-    let status = if restored.is_known {
-        Status::Unchanged
-    } else {
-        Status::Solved
+    let status = match restored.known {
+        Some(_) => Status::Unchanged,
+        None => Status::Solved,
     };
     let outcome = Outcome {
         nodes: Some(section.mesh.nodes.len()),
+        properties: restored.known,
         ..Outcome::new(status)
     };
     let plies = |is_left: fn(&MaterialLimits) -> bool| not_assessed(&input, is_left);
@@ -355,12 +336,11 @@ struct Target {
 
 impl Target {
     fn new(arguments: &StrengthArguments) -> Self {
-        let span = &table_of(&arguments.span);
+        let span = &*arguments.span;
         let beside = || span.parent().unwrap_or(Path::new("")).to_owned();
-        let whole = span.file_name().unwrap_or_default().to_string_lossy();
         Self {
             folder: arguments.out.clone().unwrap_or_else(beside),
-            name: whole.strip_suffix(ENDING).unwrap_or(&whole).to_owned(),
+            name: blade_name(span),
         }
     }
 

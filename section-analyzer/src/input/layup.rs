@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use shared_geom::blade::read_line;
 use shared_geom::document::{Document, Table, read_text};
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::exchange::{self, Format};
@@ -16,9 +15,12 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
 mod constants;
 mod course;
+mod edge;
 mod fills;
+mod foot;
 mod keys;
 mod layers;
+mod line;
 mod names;
 mod place;
 mod prevabs;
@@ -39,13 +41,15 @@ pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;
 
-use keys::{FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use keys::{BLADE_NAME, EDGE, FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
 
 /// A layup along the span, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layup {
+    /// Name of the blade, if the file gives it.
+    pub name: Option<String>,
     /// The contours.
     pub shape: Shape,
     /// Places on the contour by their names.
@@ -196,11 +200,23 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let layers = root.each(&LAYERS, |table| known.layers(table));
     let layers: Option<Vec<WrittenLayer>> = layers.map(|layers| layers.concat());
     let webs = root.each(&WEBS, |table| known.web(table));
+    // feet are inside of the layers of the shell
+    let webs = webs.map(|webs| webs.into_iter().unzip());
+    let (webs, feet): (Option<Vec<WrittenWeb>>, Option<Vec<Vec<WrittenLayer>>>) = webs.unzip();
+    let layers = layers
+        .zip(feet)
+        .map(|(layers, feet)| [layers, feet.concat()].concat());
+    let edge = root.nested(&EDGE, |table| edge::read(&known, table));
     let fills = root.each(&FILLS, |table| known.fill(table));
+    let fills = fills.zip(edge).map(|(fills, edge)| {
+        let bond: Vec<WrittenFill> = edge.flatten().into_iter().collect();
+        [bond, fills].concat()
+    });
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
-    let line = root.nested(&LINE, read_line);
+    let line = root.nested(&LINE, line::read);
     let stations = span::stations(&root);
+    let name = root.get(&BLADE_NAME);
     root.finish();
     let mut has_names = true;
     if let (Some(layers), Some(webs), Some(fills)) = (&layers, &webs, &fills) {
@@ -214,6 +230,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         (Some(Some(shape)), Some(layers), Some(webs), (Some((places, fills)), Some(rest))) => {
             let ((size, line), stations) = rest;
             Some(Layup {
+                name: name.flatten(),
                 shape,
                 places,
                 layers,
@@ -248,7 +265,6 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
 fn root(document: &Document) -> Table<'_> {
     let root = document.root_of(&LAYUP_FILE);
     document.declare_units(&root);
-    place::refuse_trailing_edge(&root);
     let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
     root
 }
@@ -331,17 +347,22 @@ fn wrong_spars<'a>(
     of_layers.find_map(problem).into_iter().collect()
 }
 
-/// The lines of the tables of units and materials, and of a word of units at the top.
+/// The lines of the tables of units and materials, and of a word of units at the top; without comments
+/// and blank lines, but for one before each table, so that they do not change fingerprints.
 fn constants(text: &str) -> String {
     let mut kept = String::new();
     let (mut is_kept, mut is_top) = (false, true);
-    for line in text.lines() {
-        let start = line.trim_start();
-        if let Some(name) = table_name(start) {
+    for line in text.lines().map(str::trim) {
+        let name = table_name(line);
+        if let Some(name) = name {
             is_top = false;
             is_kept = name.starts_with("material") || name.starts_with("units");
         }
-        if is_kept || (is_top && start.starts_with("units")) {
+        let is_empty = line.is_empty() || line.starts_with('#');
+        if !is_empty && (is_kept || (is_top && line.starts_with("units"))) {
+            if name.is_some() && !kept.is_empty() {
+                kept.push('\n');
+            }
             kept.push_str(line);
             kept.push('\n');
         }
@@ -373,8 +394,14 @@ impl Layup {
     /// # Errors
     /// As [`Layup::section`], and a section that cannot be meshed, with the line of its layer.
     pub fn mesh(&self, eta: f64) -> Result<LayupMesh, Diagnostics> {
-        let section = self.section(eta)?;
-        let made = section.generate().map_err(|problem| {
+        let mut section = self.section(eta)?;
+        let mut made = section.generate();
+        if made.as_ref().is_err_and(edge::has_no_room) {
+            // the layers of both sides leave no space for the adhesive at the trailing edge
+            section.fills.retain(|fill| fill.name != edge::NAME);
+            made = section.generate();
+        }
+        let made = made.map_err(|problem| {
             let line = self.line_of(&problem);
             self.problem(line, &LayupFileProblem::Section { eta, problem })
         })?;

@@ -23,7 +23,10 @@ mod problem;
 mod stations;
 
 pub use problem::SpanLoadProblem;
-pub use stations::{ListedStation, read_stations, section_fingerprint};
+pub use stations::{
+    ListedStation, SECTIONS, blade_name, is_blade, read_stations, section_file_name,
+    section_fingerprint,
+};
 
 /// The six components as columns name them, and their dimensions.
 const COMPONENTS: [(&str, Dimension); 6] = [

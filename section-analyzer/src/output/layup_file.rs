@@ -21,6 +21,9 @@ pub fn layup_file(layup: &Layup, source: &str) -> String {
 
 fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     let unit = layup.unit;
+    if let Some(name) = &layup.name {
+        writeln!(text, "\nname = {name:?}")?;
+    }
     if !layup.stations.is_empty() {
         writeln!(text, "\nstations = {:?}", layup.stations)?;
     }

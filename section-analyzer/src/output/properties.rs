@@ -146,6 +146,7 @@ pub(super) fn properties_of(source: &Source<'_>, solution: &SectionSolution) -> 
             nodes: source.nodes,
             cells: source.cells,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     }
 }

@@ -5,10 +5,11 @@
 
 use serde::Serialize;
 use shared_geom::blade::Blade;
+use shared_geom::exchange::frame::Convention;
 use shared_geom::wrench::COMPONENTS;
 
 use super::section_picture::{MaterialPicture, SectionPicture};
-use super::span::{SolvedSpan, SolvedStation, SpanRow};
+use super::span::{SolvedSpan, SolvedStation, SpanRow, values_beside};
 use super::text::rows;
 use crate::input::result_tables::{ListedReserve, ModeTable};
 
@@ -49,6 +50,8 @@ pub struct ReportPage<'a> {
     pub reserves: &'a [ListedReserve],
     /// Modes of the blade.
     pub modes: Option<&'a ModeTable>,
+    /// Another blade, whose values stand beside.
+    pub other: Option<&'a Blade>,
 }
 
 impl ReportPage<'_> {
@@ -63,6 +66,8 @@ impl ReportPage<'_> {
             remarks: self.remarks,
             reserves: self.reserves,
             modes: self.modes,
+            orders: ORDERS.map(Order::new),
+            other: self.other.map(|other| self.beside(other)),
         };
         // numbers and texts can always be written
         let data = serde_json::to_string(&data).unwrap_or_default();
@@ -101,6 +106,17 @@ impl ReportPage<'_> {
         found
     }
 
+    /// The values of another blade at the sections that are drawn.
+    fn beside<'a>(&self, other: &'a Blade) -> Other<'a> {
+        let drawn = self.span.stations.iter();
+        let drawn = drawn.filter(|station| station.picture.is_some());
+        Other {
+            name: &other.name,
+            length: other.length(),
+            values: drawn.map(|one| values_beside(one, other)).collect(),
+        }
+    }
+
     fn stations(&self) -> Vec<Station<'_>> {
         let drawn = self.span.stations.iter();
         let drawn = drawn.filter_map(|station| Some((station, station.picture.as_ref()?)));
@@ -120,6 +136,60 @@ struct Data<'a> {
     remarks: &'a [Remark],
     reserves: &'a [ListedReserve],
     modes: Option<&'a ModeTable>,
+    orders: [Order; 4],
+    other: Option<Other<'a>>,
+}
+
+/// Conventions in whose order and axes matrices are shown.
+const ORDERS: [Convention; 4] = [
+    Convention::Helicoid,
+    Convention::BeamDyn,
+    Convention::Hawc2,
+    Convention::Vabs,
+];
+
+/// The order of the components of a program.
+#[derive(Serialize)]
+struct Order {
+    name: &'static str,
+    words: &'static str,
+    components: [&'static str; 6],
+    /// The component of Helicoid that each one is, and its sign.
+    index: [usize; 6],
+    sign: [f64; 6],
+}
+
+impl Order {
+    fn new(convention: Convention) -> Self {
+        // columns are its axes in Helicoid's
+        let axes = convention.axes();
+        let axis = |i: usize| (0..3).find(|&j| axes[(j, i % 3)] != 0.0).unwrap_or(i % 3);
+        let all = [0, 1, 2, 3, 4, 5];
+        let (name, components) = match convention {
+            Convention::Helicoid => ("Helicoid", COMPONENTS),
+            Convention::Vabs => ("VABS", ["F1", "F2", "F3", "M1", "M2", "M3"]),
+            Convention::BeamDyn => ("BeamDyn", AXES),
+            Convention::Hawc2 | Convention::Anba4 => ("HAWC2", AXES),
+        };
+        Self {
+            name,
+            words: convention.axes_in_words(),
+            components,
+            index: all.map(|i| axis(i) + i / 3 * 3),
+            sign: all.map(|i| axes[(axis(i), i % 3)]),
+        }
+    }
+}
+
+/// Forces and moments by the axes.
+const AXES: [&str; 6] = ["Fx", "Fy", "Fz", "Mx", "My", "Mz"];
+
+/// Another blade beside the stations: mass, EA, EI flap, EI edge and GJ of the station and of it.
+#[derive(Serialize)]
+struct Other<'a> {
+    name: &'a str,
+    length: f64,
+    values: Vec<[[f64; 5]; 2]>,
 }
 
 /// The blade.

@@ -8,10 +8,26 @@ use serde::Serialize;
 use super::cell_stress::CellStress;
 use super::packed::packed;
 use super::text::rows;
-use crate::input::{Input, InputWarning};
+use crate::input::{Input, InputSummary, InputWarning};
 use crate::material::{ElasticLaw, Material, MaterialLimits};
+use crate::mesh::quality::ShapeMeasure;
 use crate::properties::invert_symmetric;
 use crate::section::Section;
+
+/// Measures of the shapes of cells in the report.
+const MEASURES: [ShapeMeasure; 4] = [
+    ShapeMeasure::Aspect,
+    ShapeMeasure::SmallestAngle,
+    ShapeMeasure::LargestAngle,
+    ShapeMeasure::Jacobian,
+];
+
+/// The worst value of a measure, angles in degrees.
+fn shown_quality(summary: &InputSummary, measure: ShapeMeasure) -> Option<f64> {
+    let worst = summary.quality.worst_value(measure)?;
+    let is_angle = [ShapeMeasure::SmallestAngle, ShapeMeasure::LargestAngle].contains(&measure);
+    Some(if is_angle { worst.to_degrees() } else { worst })
+}
 
 /// Steps of a coordinate from one end of a section to the other.
 const STEPS: f64 = (1 << 22) as f64;
@@ -39,6 +55,8 @@ pub struct SectionPicture {
     pub mesh_cells: usize,
     /// Cells of poor shape.
     pub poor_cells: usize,
+    /// Worst aspect ratio, smallest and largest corner \[deg\], least over largest Jacobian [-].
+    pub quality: [Option<f64>; 4],
     /// Warnings about the section, without the ones about poor cells.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -111,6 +129,7 @@ impl SectionPicture {
             mesh_nodes: section.mesh.nodes.len(),
             mesh_cells: section.mesh.cells.len(),
             poor_cells: summary.quality.poor(),
+            quality: MEASURES.map(|measure| shown_quality(summary, measure)),
             warnings: warnings
                 .map(ToString::to_string)
                 .chain(no_stress.map(|reason| format!("stresses are not shown: {reason}")))

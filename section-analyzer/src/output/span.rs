@@ -8,16 +8,18 @@ use shared_geom::files::{Earlier, OutputProblem};
 use shared_geom::hash::sha256_of;
 use shared_geom::line::ReferenceLine;
 use shared_geom::run_lock::RunLock;
-use shared_geom::section::{Provenance, SectionProperties};
+use shared_geom::section::{Provenance, SectionFile, SectionProperties};
 
 use super::layup_report::LayerRow;
 use super::section_picture::SectionPicture;
+use crate::input::span_loads::{SECTIONS, section_file_name};
 
 mod compare;
 mod plot;
 mod table;
 mod text;
 
+pub(super) use compare::values_beside;
 pub use compare::{comparison_csv, comparison_text};
 pub use plot::span_plots;
 pub(super) use table::SpanRow;
@@ -84,8 +86,18 @@ impl SolvedSpan<'_> {
                 nodes: sources().map(|from| from.nodes).sum(),
                 cells: sources().map(|from| from.cells).sum(),
                 history: Vec::new(),
+                sections: self.stations.iter().map(section_file).collect(),
             },
         }
+    }
+}
+
+/// The file of the section of a station, from the folder of the blade.
+fn section_file(station: &SolvedStation) -> SectionFile {
+    let name = &station.properties.name;
+    SectionFile {
+        file: format!("{SECTIONS}/{}", section_file_name(name)),
+        fingerprint: station.fingerprint.clone(),
     }
 }
 
@@ -105,6 +117,11 @@ impl SpanFiles {
         }
     }
 
+    /// The beginning of the names of the files.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The results that exist now.
     pub fn earlier(&self) -> Earlier {
         Earlier::new(&self.folder, &self.name)
@@ -120,7 +137,7 @@ impl SpanFiles {
 
     /// The folder of the sections.
     pub fn sections(&self) -> PathBuf {
-        self.folder.join("sections")
+        self.folder.join(SECTIONS)
     }
 
     /// The folder of the files of a format.

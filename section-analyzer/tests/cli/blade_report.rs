@@ -150,6 +150,52 @@ fn data_are_the_numbers_of_the_result_files() {
     assert_eq!(angle("skin@pressure"), Some(-30.0));
 }
 
+/// The orders of other programs turn the matrices of the page as conversions do: without tolerance,
+/// each entry is one of Helicoid's with a sign. The values of another blade are the ones of the table.
+#[test]
+fn matrices_have_the_orders_of_programs_and_another_blade_is_beside() {
+    use nalgebra::Matrix6;
+    use shared_geom::exchange::Convention;
+
+    let workplace = reported(&["--stations", "0.2,1"]);
+    let other = workplace.read("b/a.blade.json");
+    workplace.write(
+        "other.blade.json",
+        &other.replace("\"name\": \"a\"", "\"name\": \"b\""),
+    );
+    let run = blade(
+        &workplace,
+        &["--stations", "0.2,1", "--compare", "other.blade.json"],
+    );
+    assert_eq!(run.code, 0, "{}", run.err);
+    let data = data(&workplace);
+    let matrix = |value: &Value| Matrix6::from_fn(|i, j| value[i][j].as_f64().unwrap());
+    let known = [
+        ("Helicoid", Convention::Helicoid),
+        ("BeamDyn", Convention::BeamDyn),
+        ("HAWC2", Convention::Hawc2),
+        ("VABS", Convention::Vabs),
+    ];
+    for station in data["stations"].as_array().unwrap() {
+        let own = matrix(&station["stiffness"]);
+        for (order, (name, convention)) in data["orders"].as_array().unwrap().iter().zip(known) {
+            assert_eq!(order["name"], name);
+            let index = |i: usize| order["index"][i].as_u64().unwrap() as usize;
+            let sign = |i: usize| order["sign"][i].as_f64().unwrap();
+            let shown = Matrix6::from_fn(|i, j| sign(i) * sign(j) * own[(index(i), index(j))]);
+            assert_eq!(shown, convention.from_ours(&own), "{name}");
+        }
+        let quality = station["picture"]["quality"].as_array().unwrap();
+        let [aspect, least, most, jacobian] = [0, 1, 2, 3].map(|i| quality[i].as_f64().unwrap());
+        assert!(aspect >= 1.0 && least > 0.0 && least <= 90.0 && most >= 60.0 && most <= 180.0);
+        assert!(jacobian > 0.0 && jacobian <= 1.0);
+    }
+    assert_eq!(data["other"]["name"], "b");
+    for values in data["other"]["values"].as_array().unwrap() {
+        assert_eq!(values[0], values[1]);
+    }
+}
+
 /// Corners and wall directions of all cells against the section that the program reads: corners
 /// within half a step of 2^-22 of the chord of at most 0.5 m, angles within half of 0.01 deg.
 #[test]

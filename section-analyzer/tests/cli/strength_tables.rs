@@ -264,7 +264,7 @@ fn sections_belong_to_their_table() {
     let run = workplace.run(&[&blade[..], &["--stations", "0.1,0.9"]].concat());
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     let run = strength(&workplace, "eta,axial\n0,1\n1,1\n", &[]);
-    let expected = "error: b/a.span.csv: sections have changed since the table was written: \
+    let expected = "error: b/a.span.csv: sections have changed since the blade was solved: \
                     \"eta_0.1000\", \"eta_0.9000\"\n  help: run \"section-analyzer blade\" again, for \
                     each layup into a folder of its own by --out\n";
     assert_eq!((run.code, run.err.as_str()), (2, expected));

@@ -4,7 +4,7 @@
 use section_analyzer::mesh::generate::layup::{LayupProblem, MeshedLayup};
 use serde_json::Value;
 
-use crate::sections::{Case, cases, number, reference, solved};
+use crate::sections::{Case, cases, number, reference, solved_with_center};
 
 /// Measures of the reference, in the order of [`solved`].
 const MEASURES: [&str; 5] = ["mass", "EA", "flap", "edge", "GJ"];
@@ -51,7 +51,7 @@ fn sections_of_public_blades() {
             continue;
         }
         let meshed = made.unwrap_or_else(|problem| panic!("{}: {problem}", case.name));
-        let found = solved(&case, &meshed);
+        let (found, center) = solved_with_center(&case, &meshed);
         let Some(row) = row(&results, &case) else {
             continue;
         };
@@ -60,6 +60,7 @@ fn sections_of_public_blades() {
             "iea22 at 0" | "iea22 at 0.414" => &["our", "pub"],
             _ => &["our"],
         };
+        check_center(&case, row, (center, sources));
         for (key, value) in MEASURES.iter().zip(found) {
             let tolerance = if *key == "GJ" { 5e-3 } else { 2e-3 };
             for source in sources {
@@ -72,6 +73,20 @@ fn sections_of_public_blades() {
                 );
             }
         }
+    }
+}
+
+/// Tension centers within 2 mm of the prototype's, and of the published ones at the same sections.
+fn check_center(case: &Case, row: &Value, (center, sources): ([f64; 2], &[&str])) {
+    for source in sources {
+        let errors = ["yt", "zt"].map(|key| number(&row[*source][key]));
+        let errors = [0, 1].map(|i| 1e3 * (center[i] - errors[i]));
+        println!("{} tension center {source}: {errors:.3?} mm", case.name);
+        assert!(
+            errors.iter().all(|error| error.abs() < 2.0),
+            "{}: {errors:?}",
+            case.name
+        );
     }
 }
 

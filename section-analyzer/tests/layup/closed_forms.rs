@@ -111,6 +111,37 @@ fn tube_of_two_plies() {
     }
 }
 
+/// Two isotropic plies of one Poisson's ratio contract alike, so that the sums over the plies are exact:
+/// EA = sum E A, EI = sum E I, GJ = sum G J with J = 2 I of rings. Tolerance 1e-6, of the spline through
+/// 360 points.
+#[test]
+fn tube_of_two_plies_of_one_ratio() {
+    let walls = [0.02, 0.03];
+    let section = section(
+        ellipse(1.0, 1.0, 360),
+        vec![layer("outer", walls[0]), layer("inner", walls[1])],
+    );
+    let meshed = section.generate().expect("a mesh");
+    let (young, poisson) = ([140e9, 10e9], 0.3);
+    let law = |young: f64| ElasticLaw::Isotropic { young, poisson };
+    let names = ["outer", "inner"];
+    let case = Case {
+        name: "tube of one ratio".into(),
+        section,
+        materials: names.map(|name| (name.into(), name.into())).to_vec(),
+        laws: [0, 1].map(|i| material(names[i], law(young[i]))).to_vec(),
+    };
+    let radii = [1.0, 1.0 - walls[0], 1.0 - walls[0] - walls[1]];
+    let ring = |i: usize, power: i32| radii[i].powi(power) - radii[i + 1].powi(power);
+    let sum = |power: i32| young[0] * ring(0, power) + young[1] * ring(1, power);
+    let (axial, bending) = (PI * sum(2), PI * sum(4) / 4.0);
+    let expected = [axial, bending, bending, bending / (1.0 + poisson)];
+    let [_, found @ ..] = solved(&case, &meshed);
+    for (found, expected) in found.into_iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+    }
+}
+
 /// A wall at the rear, mitred at both corners: areas of the plies to 5e-6; the spline through the
 /// points deviates by 3e-6 where straight sides become an arc, with a jump of the curvature.
 #[test]

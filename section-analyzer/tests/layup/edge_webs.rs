@@ -223,11 +223,16 @@ fn webs_at_the_trailing_edge_that_do_not_fit_are_refused() {
         ),
     ];
     let tab = |text: &str| cut_off(0.8, 0.005, "").replace("[shape]", text);
-    let tabs = [
-        tab("[shape]\ntrailing_edge = \"tab\""),
-        tab("[trailing_edge]\nclose = \"bond\"\n[shape]"),
+    let taught = [
+        (
+            tab("[shape]\ntrailing_edge = \"tab\""),
+            "a [[web]] with at = \"trailing_edge\"",
+        ),
+        (
+            tab("[trailing_edge]\nclose = \"bond\"\n[shape]"),
+            "a table \"bond\" with material and to beside it",
+        ),
     ];
-    let taught = tabs.map(|text| (text, "a [[web]] with at = \"trailing_edge\""));
     for (text, expected) in cases.into_iter().chain(taught) {
         let found = refusal(&text);
         assert!(found.contains(expected), "{found}");

@@ -256,7 +256,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "at = { x = 0.3 }",
         "at = { angle = 0.3 }",
-        "one of \"x\" and \"plane\"",
+        "one of \"x\", \"plane\" and \"distance\"",
     ),
     (
         "[line]\nlength = 50\n",

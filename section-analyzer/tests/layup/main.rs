@@ -22,3 +22,4 @@ mod spars;
 mod stations;
 mod windio;
 mod windio_rules;
+mod words;

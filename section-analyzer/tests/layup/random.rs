@@ -288,7 +288,7 @@ fn damaged_layups_are_meshed_or_refused() {
     let cases = cases();
     let (mut meshed, mut refused) = (0, 0);
     let mut kinds: std::collections::BTreeMap<String, usize> = std::collections::BTreeMap::new();
-    for seed in 0..effort::cases(100) {
+    for seed in 0..effort::cases(200) {
         let mut random = Random::new(7000 + seed as u64);
         let mut section = cases[random.below(cases.len())].section.clone();
         for _ in 0..=random.below(2) {

@@ -7,6 +7,7 @@ use section_analyzer::analysis::analyze;
 use section_analyzer::material::{ElasticLaw, EngineeringConstants, Material};
 use section_analyzer::mesh::generate::layup::{Layer, LayupSection, MeshedLayup, Web, WebPly};
 use section_analyzer::mesh::{SectionCell, SectionMesh};
+use section_analyzer::properties::Centers;
 use section_analyzer::section::{CellMaterial, Section};
 use section_analyzer::solution::SectionSolution;
 use serde_json::Value;
@@ -257,4 +258,13 @@ pub fn measures(solution: &SectionSolution) -> [f64; 5] {
 /// Solves a case.
 pub fn solved(case: &Case, meshed: &MeshedLayup) -> [f64; 5] {
     measures(&analyze(&model(case, meshed)).expect("a solution"))
+}
+
+/// Solves a case; also its tension center from the compliance.
+pub fn solved_with_center(case: &Case, meshed: &MeshedLayup) -> ([f64; 5], [f64; 2]) {
+    let solution = analyze(&model(case, meshed)).expect("a solution");
+    let stiffness: Matrix6<f64> = solution.stiffness;
+    let compliance = stiffness.try_inverse().expect("a regular matrix");
+    let centers = Centers::new(&compliance, &solution.mass);
+    (measures(&solution), centers.tension)
 }

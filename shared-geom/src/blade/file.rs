@@ -279,6 +279,10 @@ impl File {
             let reason = "each entry of \"history\" has either \"shift\" or \"rotate\"";
             malformed("history", reason);
         }
+        let count = provenance.as_ref().map_or(0, |from| from.sections.len());
+        if count > 0 && count != self.stations.len() {
+            malformed("sections", "\"sections\" needs one entry per station");
+        }
         let station = |station: FileStation| Station {
             arc_length: station.arc_length,
             stiffness: matrix6(&station.stiffness),

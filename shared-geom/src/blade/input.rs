@@ -168,6 +168,7 @@ fn blade(root: &Table<'_>, sources: &Sources) -> Option<Written> {
             nodes: 0,
             cells: 0,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     };
     Some((blade, indices, curved))

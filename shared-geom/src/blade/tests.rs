@@ -33,6 +33,7 @@ fn provenance() -> Provenance {
         nodes: 0,
         cells: 0,
         history: Vec::new(),
+        sections: Vec::new(),
     }
 }
 

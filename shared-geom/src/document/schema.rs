@@ -76,7 +76,7 @@ impl TableSchema {
 }
 
 /// Keys that belong together and exclude the keys of other families.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Family {
     /// The name of the family: `isotropic`.
     pub name: &'static str,

@@ -179,10 +179,13 @@ fn left_behind(section: &SectionProperties) -> Vec<String> {
     remarks
 }
 
-/// The blade file.
+/// The blade file. It does not name the files of the sections: their paths are from the folder of
+/// the blade that it is made of.
 pub fn write(blade: &Blade, name: &str) -> Writing {
+    let mut blade = blade.clone();
+    blade.provenance.sections.clear();
     Writing {
-        files: vec![(format!("{name}.blade.json").into(), blade::write(blade))],
+        files: vec![(format!("{name}.blade.json").into(), blade::write(&blade))],
         lost: Vec::new(),
     }
 }

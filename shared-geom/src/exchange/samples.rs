@@ -63,6 +63,7 @@ pub fn blade() -> Blade {
             nodes: 0,
             cells: 0,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     }
 }

@@ -26,6 +26,7 @@ pub(super) fn provenance(tool: &str, texts: &[&str]) -> Provenance {
         nodes: 0,
         cells: 0,
         history: Vec::new(),
+        sections: Vec::new(),
     }
 }
 

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Centers, Change, Damping, ImposedState, InitialCurvature, Piezo, Prestress, PrincipalAxes,
-    PropertyProblem, Provenance, SectionProperties, Step, json,
+    PropertyProblem, Provenance, SectionFile, SectionProperties, Step, json,
 };
 use crate::document::read_text;
 use crate::error::Diagnostics;
@@ -135,6 +135,9 @@ pub(crate) struct FileProvenance {
     cells: usize,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     history: Vec<FileStep>,
+    /// Of blades.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    sections: Vec<SectionFile>,
 }
 
 /// Either `shift` or `rotate`.
@@ -397,6 +400,7 @@ impl From<&Provenance> for FileProvenance {
             nodes: source.nodes,
             cells: source.cells,
             history: source.history.iter().map(FileStep::from).collect(),
+            sections: source.sections.clone(),
         }
     }
 }
@@ -410,6 +414,7 @@ impl FileProvenance {
             nodes: self.nodes,
             cells: self.cells,
             history: Vec::new(),
+            sections: self.sections,
         }
     }
 

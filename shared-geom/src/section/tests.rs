@@ -45,6 +45,7 @@ pub(super) fn section() -> SectionProperties {
             nodes: 12,
             cells: 4,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     }
 }

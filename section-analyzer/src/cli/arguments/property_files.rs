@@ -65,7 +65,7 @@ Examples, axes turned nose up, and axes along the principal axes of bending:
 /// Files to show.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ReportArguments {
-    /// Property files, NAME.properties.json
+    /// Property files, NAME.properties.json, or solved blades, NAME.blade.json, for all of their sections
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
 }

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::SystemTime;
 
+use shared_geom::blade::Blade;
+
 use crate::input::layup::Layup;
 use crate::input::result_tables::{ListedReserve, ModeTable, read_reserves};
 use crate::mesh::short;
@@ -17,6 +19,8 @@ const CUT: f64 = 0.01;
 pub(super) struct Request {
     /// The modes of the blade.
     pub modes: Option<ModeTable>,
+    /// The blade with which it is compared.
+    pub other: Option<Blade>,
     /// Sections without a result.
     pub missing: Vec<String>,
 }
@@ -53,6 +57,7 @@ impl Request {
             remarks: &remarks,
             reserves: &reserves,
             modes: self.modes.as_ref(),
+            other: self.other.as_ref(),
         };
         Some(page.html())
     }
@@ -92,42 +97,67 @@ fn cut_layers(span: &SolvedSpan<'_>) -> Vec<Remark> {
         .collect()
 }
 
-/// Layers whose cells have less area than the layer, with the names of the sections, by the
-/// cause: layers that are cut where both sides meet, and those that the cells do not follow.
+/// Cause of the area of the cells of a layer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Cause {
+    /// Both sides meet.
+    Cut,
+    /// The cells do not follow the layer.
+    Less,
+    /// The layer fills a space that others leave, or its cells are longer than it.
+    More,
+}
+
+impl Cause {
+    /// The cause, and the part of the nominal area that is missing or more, if that is much.
+    fn of(row: &LayerRow) -> Option<(Self, f64)> {
+        let part = 1.0 - row.meshed / row.nominal;
+        match part {
+            part if part.abs() < CUT || !part.is_finite() => None,
+            part if part < 0.0 => Some((Self::More, -part)),
+            part if part - row.cut / row.nominal < CUT => Some((Self::Cut, part)),
+            part => Some((Self::Less, part)),
+        }
+    }
+}
+
+/// Layers whose cells have another area than the layer, with the names of the sections, by the
+/// cause.
 pub(super) fn cut_of_layers<'a>(
     sections: impl Iterator<Item = (&'a str, &'a [LayerRow])>,
 ) -> Vec<(String, Vec<String>)> {
-    let mut worst: Vec<(&str, bool, f64, Vec<String>)> = Vec::new();
+    let mut worst: Vec<(&str, Cause, f64, Vec<String>)> = Vec::new();
     for (name, layers) in sections {
         for row in layers {
-            let part = 1.0 - row.meshed / row.nominal;
-            if part.is_nan() || part < CUT {
+            let Some((cause, part)) = Cause::of(row) else {
                 continue;
-            }
-            let is_cut = part - row.cut / row.nominal < CUT;
-            let is_it = |known: &&mut (&str, bool, f64, Vec<String>)| {
-                (known.0, known.1) == (row.layer.as_str(), is_cut)
+            };
+            let is_it = |known: &&mut (&str, Cause, f64, Vec<String>)| {
+                (known.0, known.1) == (row.layer.as_str(), cause)
             };
             match worst.iter_mut().find(is_it) {
                 Some((_, _, most, sections)) => {
                     *most = most.max(part);
                     sections.push(name.to_owned());
                 }
-                None => worst.push((&row.layer, is_cut, part, vec![name.to_owned()])),
+                None => worst.push((&row.layer, cause, part, vec![name.to_owned()])),
             }
         }
     }
-    let text = |(layer, is_cut, part, sections): (&str, bool, f64, Vec<String>)| {
+    let text = |(layer, cause, part, sections): (&str, Cause, f64, Vec<String>)| {
         let percent = short((1000.0 * part).round() / 10.0);
-        let text = if is_cut {
-            format!(
+        let text = match cause {
+            Cause::Cut => format!(
                 "layer \"{layer}\" is cut where both sides meet, by up to {percent} % of its area"
-            )
-        } else {
-            format!(
+            ),
+            Cause::Less => format!(
                 "layer \"{layer}\" has up to {percent} % less area in its cells than as given, more \
                  than is cut where both sides meet; a smaller \"size\" in [mesh] may bring it back"
-            )
+            ),
+            Cause::More => format!(
+                "layer \"{layer}\" has up to {percent} % more area in its cells than as given, and more \
+                 mass and stiffness"
+            ),
         };
         (text, sections)
     };

@@ -64,7 +64,7 @@ pub(super) fn write(
     }
     let old = match is_written {
         true => Vec::new(),
-        false => old_blades(&blade, span.name, files),
+        false => old_blades(&blade, files.name(), files),
     };
     let earlier = files.earlier().with(old.iter().cloned());
     let (mut written, mut lost) = (Vec::new(), Vec::new());
@@ -74,7 +74,7 @@ pub(super) fn write(
             if is_written {
                 write_blade(
                     &blade,
-                    span.name,
+                    files.name(),
                     files,
                     arguments,
                     (&mut written, &mut lost),

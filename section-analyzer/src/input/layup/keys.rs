@@ -1,6 +1,5 @@
 //! The keys of layup files.
 
-use shared_geom::blade::LINE_TABLE;
 use shared_geom::document::schema::ValueKind::{
     Boolean, FreeMatrix, NamedTables, NotNegative, Numbers, Positive, Quantities, Quantity,
     Table as OneTable, Tables, Text, Word,
@@ -15,7 +14,10 @@ use super::super::materials::MATERIALS;
 use super::super::regions::Angle;
 use super::TOWARDS;
 use super::course::{COURSE, Course};
-use super::fills::FillBound;
+use super::edge::EDGE_TABLE;
+use super::fills::{FillBound, ROOM_TABLE, Room};
+use super::foot::FOOT_TABLE;
+use super::line::LINE_OF_LAYUP;
 use super::place::{AT_EDGE, BOTH, BothSides, PLACE, Place};
 use super::taper::{Profile, Taper};
 
@@ -25,6 +27,8 @@ keys! {
     /// Units of plain numbers, SI or the units of the table; the unit of length is also the unit of
     /// the mesh.
     UNITS_KEY: ByHand = "units", [Word(&["SI"]), OneTable(&UNITS)], required, "\"SI\"";
+    /// Name of the blade; the name of the file without it.
+    pub(super) BLADE_NAME: Option<String> = "name", [Text], optional, "\"demo61\"";
     /// The outer contour.
     pub(super) SHAPE: Nested = "shape", [OneTable(&SHAPE_TABLE)] as "a table [shape]", required, "";
     /// The layers of the shell, from the outside in.
@@ -36,9 +40,11 @@ keys! {
     pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
     /// Materials that fill the spaces between shell and webs.
     pub(super) FILLS: NestedList = "fill", [Tables(&FILL)], optional, "";
+    /// Adhesive between both sides at the trailing edge.
+    pub(super) EDGE: Nested = "trailing_edge", [OneTable(&EDGE_TABLE)], optional, "";
     /// The reference line of the blade, on which the origins of the sections are; its length is the
     /// length of the blade.
-    pub(super) LINE: Nested = "line", [OneTable(&LINE_TABLE)], optional, "";
+    pub(super) LINE: Nested = "line", [OneTable(&LINE_OF_LAYUP)], optional, "";
     /// Positions along the span of the sections that `blade` solves, as parts of the length of the
     /// line; it chooses them without this key.
     pub(super) STATIONS: ByHand = "stations", [Quantities(Dimension::NUMBER)], optional,
@@ -147,9 +153,11 @@ const LAYER: TableSchema = TableSchema {
         MATERIAL.schema,
         FROM.schema,
         TO.schema,
+        WIDTH.schema,
         TAPER.schema,
         PROFILE.schema,
         WEB_OF_LAYER.schema,
+        AROUND.schema,
     ],
     families: &[
         Family {
@@ -205,6 +213,9 @@ keys! {
     /// Where it ends.
     pub(super) TO: Place = "to", [Quantity(Dimension::NUMBER), Text, OneTable(&PLACE), OneTable(&COURSE)],
         or "1" = Place::arc(1.0), "\"cap_suction.start\"";
+    /// Its width along the contour, in the place of `to`, or of `from`.
+    pub(super) WIDTH: Option<Course> = "width", [Positive(Dimension::LENGTH), OneTable(&COURSE)], optional,
+        "\"0.8 m\"";
     /// Rows of a part of its width, ascending from 0 to 1, and a part of its thickness, with straight
     /// lines between them.
     pub(super) PROFILE: Option<Profile> = "profile", [FreeMatrix], optional,
@@ -212,6 +223,8 @@ keys! {
     /// The web without plies of its own along which it continues, with mitres at both ends: a spar
     /// around the nose. `from` and `to` are then the places of the web, if not given.
     pub(super) WEB_OF_LAYER: Option<String> = "web", [Text], optional, "\"rear\"";
+    /// The side of its `web` on which the layer is, which a reader of the file sees.
+    pub(super) AROUND: Option<usize> = "around", [Word(&["nose"])], optional, "\"nose\"";
     /// Length over which its thickness drops to zero at its ends, or its thickness over this
     /// length; about the thickness without it.
     pub(super) TAPER: Option<Taper> = "taper", [Positive(Dimension::LENGTH), Text], optional,
@@ -221,7 +234,7 @@ keys! {
 const WEB: TableSchema = TableSchema {
     title: "[[web]]",
     meaning: "A web between both sides.",
-    keys: &[WEB_NAME.schema, RANGE.schema, PLIES.schema],
+    keys: &[WEB_NAME.schema, RANGE.schema, PLIES.schema, FOOT.schema],
     families: &[
         Family {
             name: "places",
@@ -253,6 +266,8 @@ keys! {
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
     /// Its plies, from the leading edge aft; each is a layer without places.
     pub(super) PLIES: NestedList = "plies", [Tables(&PLY)] as "a list of plies", required, "";
+    /// Flanges and bond lines on both sides: layers inside of all others.
+    pub(super) FOOT: Nested = "foot", [OneTable(&FOOT_TABLE)], optional, "";
 }
 
 keys! {
@@ -264,6 +279,9 @@ keys! {
         "{ x = 0.03 }";
     /// The web, or the plane, ahead of it; without it it goes to the nose.
     pub(super) AFT_OF: Option<FillBound> = "aft_of", [Text, OneTable(&BOTH)], optional, "\"rear\"";
+    /// Its bounds, in the place of `ahead_of` and `aft_of`: `aft of WEB`, `ahead of WEB`, or a table.
+    pub(super) ROOM: Option<Room> = "room", [Text, OneTable(&ROOM_TABLE)], optional,
+        "\"aft of rear\"";
     /// Angle of the fiber from x toward the second axis of the material.
     pub(super) FILL_FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
         or "0" = Angle(0.0), "45";

@@ -5,10 +5,11 @@ use shared_geom::units::Dimension;
 
 use super::course::Course;
 use super::fills::WrittenFill;
+use super::foot;
 use super::keys::{
-    AFT_OF, AHEAD_OF, ANGLES, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
-    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROUND, SUCTION, TAPER, THICKNESS,
-    TO, TOWARD, WEB_NAME, WEB_OF_LAYER,
+    AFT_OF, AHEAD_OF, ANGLES, AROUND, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FOOT, FROM, MATERIAL,
+    NAME, PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROOM, ROUND, SUCTION, TAPER,
+    THICKNESS, TO, TOWARD, WEB_NAME, WEB_OF_LAYER, WIDTH,
 };
 use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
@@ -54,6 +55,12 @@ impl Known {
         };
         let from = of_web(&FROM, places.0?, SIDES[0]);
         let to = of_web(&TO, places.1?, SIDES[1]);
+        let [from, to] = by_width(table, [from, to])?;
+        if table.get(&AROUND)?.is_some() && web.is_none() {
+            let layer = text(table, NAME.name());
+            table.note(&AROUND, &LayupFileProblem::Around { layer });
+            return None;
+        }
         let web = web.map(|web| (web, line));
         let layer = |name: String, thickness: Course, fiber_angle: f64| {
             Some(WrittenLayer {
@@ -110,8 +117,8 @@ impl Known {
         })
     }
 
-    /// A web; notes problems.
-    pub fn web(&self, table: &Table<'_>) -> Option<WrittenWeb> {
+    /// A web, and the layers of its feet; notes problems.
+    pub fn web(&self, table: &Table<'_>) -> Option<(WrittenWeb, Vec<WrittenLayer>)> {
         let name = table.get(&WEB_NAME);
         let has_places = table.has(&SUCTION) || table.has(&PRESSURE);
         let places = match table.has(&PLANE_OF_WEB) {
@@ -131,19 +138,30 @@ impl Known {
         let plies = table.each(&PLIES, |ply| self.ply(ply));
         let name = name?.0;
         let range = range(table, &name);
-        Some(WrittenWeb {
+        let web = WrittenWeb {
             name,
             places: places?,
             range: range?,
             plies: plies?,
             line: table.line(),
-        })
+        };
+        let feet = table.nested(&FOOT, |foot| foot::read(self, foot, &web))?;
+        Some((web, feet.unwrap_or_default()))
     }
 
     /// A fill; notes problems.
     pub fn fill(&self, table: &Table<'_>) -> Option<WrittenFill> {
         let (name, material) = (table.get(&NAME), self.material(table));
         let bounds = (table.get(&AHEAD_OF), table.get(&AFT_OF));
+        let room = table.get(&ROOM)?;
+        let bounds = match room {
+            Some(_) if table.has(&AHEAD_OF) || table.has(&AFT_OF) => {
+                table.note(&ROOM, &LayupFileProblem::Room);
+                return None;
+            }
+            Some(room) => room.0,
+            None => [bounds.0?, bounds.1?],
+        };
         let angles = (table.get(&FILL_FIBER_ANGLE), table.get(&PLANE_ANGLE));
         let name = name?.0;
         Some(WrittenFill {
@@ -152,13 +170,13 @@ impl Known {
             material: material?,
             fiber_angle: angles.0?.0,
             plane_angle: angles.1?.0,
-            bounds: [bounds.0?, bounds.1?],
+            bounds,
             line: table.line(),
         })
     }
 
     /// The name of the material, also if it is unknown, which is noted.
-    fn material(&self, table: &Table<'_>) -> Option<String> {
+    pub fn material(&self, table: &Table<'_>) -> Option<String> {
         let material = table.get(&MATERIAL)?;
         if !self.names.contains(&material) {
             let problem = LayupFileProblem::Unknown {
@@ -229,8 +247,27 @@ fn has_ramp(table: &Table<'_>, profile: &[[f64; 2]]) {
     }
 }
 
+/// The ends of a layer, of which one follows from its width if that is given; notes problems.
+fn by_width(table: &Table<'_>, [from, to]: [Place; 2]) -> Option<[Place; 2]> {
+    let Some(width) = table.get(&WIDTH)? else {
+        return Some([from, to]);
+    };
+    match [table.has(&FROM), table.has(&TO)] {
+        [true, false] => {
+            let end = from.clone().shifted(&width, 1.0);
+            Some([from, end])
+        }
+        [false, true] => Some([to.clone().shifted(&width, -1.0), to]),
+        _ => {
+            let layer = text(table, NAME.name());
+            table.note(&WIDTH, &LayupFileProblem::Width { layer });
+            None
+        }
+    }
+}
+
 /// First and last position along the span of a web or fill; notes problems.
-fn range(table: &Table<'_>, name: &str) -> Option<[f64; 2]> {
+pub(super) fn range(table: &Table<'_>, name: &str) -> Option<[f64; 2]> {
     if !table.has(&RANGE) {
         return Some([0.0, 1.0]);
     }

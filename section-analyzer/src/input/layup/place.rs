@@ -1,6 +1,6 @@
 //! Places on the contour.
 
-use shared_geom::document::schema::ValueKind::{Quantity, Table as OneTable, Text, Word};
+use shared_geom::document::schema::ValueKind::{Positive, Quantity, Table as OneTable, Text, Word};
 use shared_geom::document::schema::{Family, KeySchema, TableSchema};
 use shared_geom::document::{Declared, Table, Value};
 use shared_geom::keys;
@@ -9,6 +9,8 @@ use shared_geom::units::{Dimension, parse_quantity};
 use super::course::{COURSE, Course};
 use super::problem::LayupFileProblem;
 
+/// Edges from which distances along the contour are measured.
+const EDGES: [&str; 2] = [AT_EDGE, "leading_edge"];
 /// Sides of a contour.
 pub const SIDES: [&str; 2] = ["suction", "pressure"];
 
@@ -26,9 +28,11 @@ keys! {
     /// Part of the chord, on a `side`.
     X: Option<Course> = "x", [Quantity(Dimension::NUMBER), OneTable(&COURSE)], optional,
         "0.25";
-    /// Length along the surface from the trailing edge, on a `side`.
+    /// Length along the surface from the trailing edge, or the edge `from`, on a `side`.
     DISTANCE: Option<Course> = "distance", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         optional, "\"120 mm\"";
+    /// The edge from which `distance` is measured.
+    FROM_EDGE: usize = "from", [Word(&EDGES)], or "\"trailing_edge\"" = 0, "\"leading_edge\"";
     /// Where the plane at this distance behind the origin meets a `side`.
     PLANE: Option<Course> = "plane", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         optional, "\"-0.35 m\"";
@@ -37,7 +41,7 @@ keys! {
         or "0" = Course::constant(0.0), "\"3 deg\"";
     /// A place by its name, as in the text.
     AT: Option<String> = "at", [Text], optional, "\"cap_suction.end\"";
-    /// The side of `x`, `distance` and `plane`.
+    /// The side of `x`, `distance` and `plane`; of the places of webs the one of the key.
     SIDE: Option<usize> = "side", [Word(&SIDES)], optional, "\"suction\"";
     /// Length along the contour that is added, in its direction.
     SHIFT: Course = "shift", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
@@ -60,12 +64,23 @@ pub(super) const BOTH: TableSchema = TableSchema {
             meaning: "At a distance behind the origin, also inclined.",
             keys: &[PLANE_OF_WEB.schema, ANGLE.schema],
         },
+        Family {
+            name: "distance",
+            meaning: "At equal lengths along both surfaces from the trailing edge.",
+            keys: &[DISTANCE_OF_WEB.schema, FROM_TRAILING.schema],
+        },
     ],
 };
 
 keys! {
     /// Part of the chord.
     X_OF_WEB: Course = "x", [Quantity(Dimension::NUMBER), OneTable(&COURSE)], required, "0.3";
+    /// Length along the surfaces.
+    DISTANCE_OF_WEB: Course = "distance", [Positive(Dimension::LENGTH), OneTable(&COURSE)], required,
+        "\"0.1 m\"";
+    /// The edge from which it is measured.
+    FROM_TRAILING: usize = "from", [Word(&[AT_EDGE])], or "\"trailing_edge\"" = 0,
+        "\"trailing_edge\"";
     /// Distance of the plane behind the origin.
     PLANE_OF_WEB: Course = "plane", [Quantity(Dimension::LENGTH), OneTable(&COURSE)], required,
         "\"-0.35 m\"";
@@ -220,20 +235,26 @@ impl Place {
             return Course::read(table, key).map(PlaceForm::Arc).map(Self::of);
         }
         let inner = inner.described(&PLACE);
-        let place = Self::of_table(&inner);
+        let side = SIDES.iter().position(|side| *side == key.name);
+        let place = Self::on_side(&inner, side);
         inner.finish();
         place
     }
 
     /// The place of a table with the keys of [`PLACE`]; notes problems.
     pub(super) fn of_table(inner: &Table<'_>) -> Option<Self> {
-        let side = inner.get(&SIDE);
+        Self::on_side(inner, None)
+    }
+
+    /// As [`Place::of_table`], on a side without the key `side`.
+    fn on_side(inner: &Table<'_>, without: Option<usize>) -> Option<Self> {
+        let side = inner.get(&SIDE).map(|side| side.or(without));
+        let edge = inner.get(&FROM_EDGE);
         let (arc, x) = (inner.get(&ARC), inner.get(&X));
         let (distance, at) = (inner.get(&DISTANCE), inner.get(&AT));
         let (plane, angle) = (inner.get(&PLANE), inner.get(&ANGLE));
         let shift = inner.get(&SHIFT);
-        let side = side?;
-        let angle = angle?;
+        let (side, edge, angle) = (side?, edge?, angle?);
         let named = match at?.map(|name| Self::named(&name)) {
             Some(Err(reason)) => {
                 inner.wrong(&AT, &format!("a place ({reason})"));
@@ -242,20 +263,18 @@ impl Place {
             Some(Ok(place)) => Some(place),
             None => None,
         };
+        let on = |course: Option<Course>| course.zip(side);
         let forms = [
-            arc?.map(PlaceForm::Arc),
-            x?.zip(side).map(|(x, side)| PlaceForm::X(x, side)),
-            distance?
-                .zip(side)
-                .map(|(distance, side)| PlaceForm::Distance(distance, side)),
-            plane?
-                .zip(side)
-                .map(|(plane, side)| PlaceForm::Plane(plane, angle, side)),
+            arc?.map(PlaceForm::Arc).map(Self::of),
+            on(x?).map(|(x, side)| Self::of(PlaceForm::X(x, side))),
+            on(distance?).map(|(distance, side)| Self::from_edge(edge, distance, side)),
+            on(plane?).map(|(plane, side)| Self::of(PlaceForm::Plane(plane, angle, side))),
         ];
         let given = [&ARC, &X, &DISTANCE, &PLANE].iter();
         let given = given.filter(|key| inner.has(key)).count() + usize::from(inner.has(&AT));
-        let form = forms.into_iter().flatten().next().map(Self::of);
-        let has_angle = inner.has(&ANGLE) && !inner.has(&PLANE);
+        let form = forms.into_iter().flatten().next();
+        let has_angle = inner.has(&ANGLE) && !inner.has(&PLANE)
+            || inner.has(&FROM_EDGE) && !inner.has(&DISTANCE);
         let has_side =
             inner.has(&SIDE) && [&ARC.name(), &AT.name()].iter().any(|key| inner.has(key));
         let form = form
@@ -266,6 +285,19 @@ impl Place {
             inner.note("", &problem);
         }
         Some(form?.shifted(&shift?, 1.0).on_line(inner.line()))
+    }
+}
+
+impl Place {
+    /// The place at a distance from an edge along a side.
+    fn from_edge(edge: usize, distance: Course, side: usize) -> Self {
+        if EDGES[edge] == AT_EDGE {
+            return Self::of(PlaceForm::Distance(distance, side));
+        }
+        // arcs grow toward the leading edge on the suction side
+        let sign = [-1.0, 1.0][side];
+        let shift = distance.map(|_, length| sign * length);
+        Self::of(PlaceForm::Named(EDGES[edge].to_owned())).shifted(&shift, 1.0)
     }
 }
 
@@ -297,12 +329,18 @@ impl Value for BothSides {
             return at_edge.then_some(Self(places));
         }
         let inner = table.table(key)?.described(&BOTH);
-        let forms = match (inner.has(&X_OF_WEB), inner.has(&PLANE_OF_WEB)) {
-            (true, false) => {
+        let given = [&X_OF_WEB, &PLANE_OF_WEB, &DISTANCE_OF_WEB].map(|key| inner.has(key));
+        let forms = match given {
+            [false, false, true] => {
+                let _ = inner.get(&FROM_TRAILING);
+                let distance = inner.get(&DISTANCE_OF_WEB);
+                distance.map(|length| [0, 1].map(|side| PlaceForm::Distance(length.clone(), side)))
+            }
+            [true, false, false] => {
                 let x = inner.get(&X_OF_WEB);
                 x.map(|x| [0, 1].map(|side| PlaceForm::X(x.clone(), side)))
             }
-            (false, true) => {
+            [false, true, false] => {
                 let (plane, angle) = (inner.get(&PLANE_OF_WEB), inner.get(&ANGLE));
                 let form = |(plane, angle): (Course, Course)| {
                     [0, 1].map(|side| PlaceForm::Plane(plane.clone(), angle.clone(), side))
@@ -310,7 +348,7 @@ impl Value for BothSides {
                 plane.zip(angle).map(form)
             }
             _ => {
-                table.wrong(key, "one of \"x\" and \"plane\"");
+                table.wrong(key, "one of \"x\", \"plane\" and \"distance\"");
                 None
             }
         };

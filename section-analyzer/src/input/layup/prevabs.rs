@@ -90,6 +90,7 @@ fn section<'x>(
             .to_owned(),
     );
     Some(Layup {
+        name: None,
         shape: made.shape,
         places: Vec::new(),
         layers: made.layers,
@@ -98,7 +99,7 @@ fn section<'x>(
         size: None,
         line: None,
         stations: Vec::new(),
-        constants: constants?,
+        constants: super::constants(&constants?),
         unit: 1.0,
         remarks: Vec::new(),
         file: path.display().to_string(),

@@ -146,7 +146,8 @@ pub enum LayupFileProblem {
     /// A place of no form, or of several.
     #[error(
         "expected one of \"arc\", \"x\", \"distance\", \"plane\" and \"at\"; a \"side\" with \"x\", \
-         \"distance\" and \"plane\" alone, an \"angle\" with \"plane\" alone"
+         \"distance\" and \"plane\" alone, an \"angle\" with \"plane\" alone, \"from\" with \"distance\" \
+         alone"
     )]
     Place,
     /// Layers that continue along two webs.
@@ -163,9 +164,34 @@ pub enum LayupFileProblem {
         /// The web.
         web: String,
     },
-    /// A trailing edge that is described by itself.
-    #[error("the layers and the base close the trailing edge, it has no key of its own")]
+    /// A form of the trailing edge in the table of the shape.
+    #[error("the layers and the base close the trailing edge, its form is not a key of [shape]")]
     TrailingEdge,
+    /// A width beside both ends, or without one.
+    #[error("layer \"{layer}\" has a \"width\", expected one of \"from\" and \"to\" beside it")]
+    Width {
+        /// The layer.
+        layer: String,
+    },
+    /// A layer around the nose that has no web to go back.
+    #[error(
+        "layer \"{layer}\" goes around the nose, expected the \"web\" along which it continues"
+    )]
+    Around {
+        /// The layer.
+        layer: String,
+    },
+    /// A foot of nothing.
+    #[error(
+        "the foot of web \"{web}\" has neither \"plies\" nor \"bond\", expected one of them or both"
+    )]
+    Foot {
+        /// The web.
+        web: String,
+    },
+    /// Bounds of a fill in two ways.
+    #[error("a fill has \"room\" beside \"ahead_of\" or \"aft_of\", expected one of both ways")]
+    Room,
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,
@@ -254,7 +280,8 @@ impl Explain for LayupFileProblem {
             )),
             Self::TrailingEdge => Some(
                 "a wall is a [[web]] with at = \"trailing_edge\", a tab behind a flat base such a web \
-                 as thick as the tab is long, an adhesive a [[fill]]"
+                 as thick as the tab is long, an adhesive bond = { material, to } in a table \
+                 [trailing_edge], or a [[fill]]"
                     .into(),
             ),
             Self::AirfoilOrder { .. } => Some(

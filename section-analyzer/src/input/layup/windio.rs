@@ -146,6 +146,7 @@ fn blade(
             .keep(Err(Diagnostics::one(location, &problem)));
     }
     let layup = Layup {
+        name: None,
         shape,
         places: Vec::new(),
         layers,
@@ -154,7 +155,7 @@ fn blade(
         size: None,
         line: tilt.as_ref().map(|tilt| tilt.line.clone()),
         stations: Vec::new(),
-        constants: constants?,
+        constants: super::constants(&constants?),
         unit: 1.0,
         remarks: Vec::new(),
         file,

@@ -4,7 +4,7 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const byId = (id) => document.getElementById(id);
 const stations = data.stations;
-const state = { station: 0, color: "layer", hidden: new Set(), view: null, cell: -1, log: false,
+const state = { station: 0, color: "layer", hidden: new Set(), view: null, cell: -1, log: false, order: 0,
   load: { kind: "instant", value: "" }, force: [0, 0, 0, 0, 1, 0] };
 
 

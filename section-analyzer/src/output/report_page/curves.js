@@ -17,7 +17,7 @@ function ticks(from, to, most) {
   for (let i = Math.ceil(from / step - 1e-9); i * step <= to + 1e-9 * step; i += 1) found.push(i * step);
   return found;
 }
-const LINES = [["#0b5cad", ""], ["#b2182b", "7 3"], ["#1b7837", "2 3"]];
+const LINES = [["#0b5cad", ""], ["#b2182b", "7 3"], ["#1b7837", "2 3"], ["#7a4a00", "8 3 2 3"]];
 const PLOT = { width: 340, height: 200, left: 62, right: 10, top: 8, bottom: 34 };
 // Curves are [name, values over x]; null values are left out.
 function plot({ title, unit, across, x, curves, wide }) {
@@ -51,7 +51,7 @@ function plot({ title, unit, across, x, curves, wide }) {
   });
   const ends = curves.map(([name, values]) => `${name || title} from ${digits(values[0], 4)} to ${digits(values[values.length - 1], 4)}`);
   const picture = shape("svg", { viewBox: `0 0 ${size.width} ${size.height}`, role: "img", "aria-label": `${title} [${unit}] over ${across}: ${ends.join("; ")}` }, ...grid);
-  const names = curves.length > 1 && curves.length <= LINES.length ? curves.map(([name], i) => `${name} ${["solid", "dashed", "dotted"][i]}`).join(", ") : "";
+  const names = curves.length > 1 && curves.length <= LINES.length ? curves.map(([name], i) => `${name} ${["solid", "dashed", "dotted", "dash-dotted"][i]}`).join(", ") : "";
   return { figure: element("figure", {}, element("figcaption", {}, `${title} [${unit}]${names ? `: ${names}` : ""}`), picture), picture, px, size, from, to };
 }
 function spanPlots() {
@@ -59,11 +59,14 @@ function spanPlots() {
   const x = values((one) => one.arc_length);
   const across = "arc length from the root [m]";
   const centers = (axis) => CENTERS.map(([name, key]) => [name, values((one) => one[key][axis])]);
+  // the curve of a quantity of another blade
+  const beside = (name, number) => (data.other ? [[`${data.other.name}${name}`, data.other.values.map(([, others]) => others[number])]] : []);
+  const own = data.other ? data.blade.name : "";
   const all = [
-    ["mass", "kg/m", [["", values((one) => one.mass[0][0])]]],
+    ["mass", "kg/m", [[own, values((one) => one.mass[0][0])], ...beside("", 0)]],
     ["EA", "N", [["", values((one) => one.free_stiffness[0])]]],
-    ["EI", "N m\u00b2", [["flap", values((one) => one.bending[0])], ["edge", values((one) => one.bending[1])]]],
-    ["GJ", "N m\u00b2", [["", values((one) => one.free_stiffness[3])]]],
+    ["EI", "N m\u00b2", [["flap", values((one) => one.bending[0])], ["edge", values((one) => one.bending[1])], ...beside(" flap", 2), ...beside(" edge", 3)]],
+    ["GJ", "N m\u00b2", [[own, values((one) => one.free_stiffness[3])], ...beside("", 4)]],
     ["GA", "N", [["along y", values((one) => one.free_stiffness[1])], ["along z", values((one) => one.free_stiffness[2])]]],
     ["centers, y", "m", centers(0)],
     ["centers, z", "m", centers(1)],

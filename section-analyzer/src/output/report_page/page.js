@@ -14,9 +14,36 @@ function showStations() {
     ["tension center y, z [mm]", (one) => one.tension_center.map(millimeters).join(", ")],
     ["shear center y, z [mm]", (one) => one.shear_center.map(millimeters).join(", ")],
     ["mass center y, z [mm]", (one) => one.mass_center.map(millimeters).join(", ")],
-    ["nodes", (one) => String(one.picture.mesh_nodes)], ["cells", (one) => String(one.picture.mesh_cells)], ["poor cells", (one) => String(one.picture.poor_cells)],
   ];
   byId("station-table").replaceChildren(table("Stations: EA and GJ with all other internal forces zero, EI about the principal axes", columns, stations, (_, i) => i === state.station));
+}
+// The meshes of the stations; the area of the layer that differs most from the given one.
+function showQuality() {
+  const worst = (i, count) => (one) => (one.picture.quality[i] === null ? "" : digits(one.picture.quality[i], count));
+  const parts = (one) => one.layers.filter((layer) => layer.nominal > 0).map((layer) => [layer.meshed / layer.nominal, layer.name]);
+  const farthest = (one) => parts(one).reduce((a, b) => (Math.abs(b[0] - 1) > Math.abs(a[0] - 1) ? b : a), [1, ""]);
+  byId("quality-table").replaceChildren(table("Meshes of the stations: worst values of the cells", [
+    ["station", (one, i) => link(i)],
+    ["nodes", (one) => String(one.picture.mesh_nodes)], ["cells", (one) => String(one.picture.mesh_cells)],
+    ["aspect ratio", worst(0, 3)], ["smallest corner [deg]", worst(1, 3)], ["largest corner [deg]", worst(2, 4)],
+    ["least over largest Jacobian", worst(3, 3)], ["poor cells", (one) => String(one.picture.poor_cells)],
+    ["area farthest from nominal", (one) => `${digits(100 * farthest(one)[0], 4)} %`], ["of the layer", (one) => farthest(one)[1]],
+  ], stations));
+}
+const QUANTITIES = ["mass [kg/m]", "EA [N]", "EI flap [N m\u00b2]", "EI edge [N m\u00b2]", "GJ [N m\u00b2]"];
+// The values of another blade beside the stations.
+function showOther() {
+  const { other } = data;
+  byId("other-table").hidden = !other;
+  if (!other) return;
+  const columns = QUANTITIES.flatMap((name, i) => [
+    [name, (_, k) => digits(other.values[k][0][i])],
+    [`${other.name}, ${name}`, (_, k) => digits(other.values[k][1][i])],
+    ["difference [%]", (_, k) => digits(100 * (other.values[k][0][i] / other.values[k][1][i] - 1), 3)],
+  ]);
+  byId("other-table").replaceChildren(table(`Beside ${other.name}, ${digits(other.length)} m long, at the same parts of the length: EA is K11, EI about the principal axes, GJ with all other internal forces zero`, [
+    ["station", (_, i) => link(i)], ...columns,
+  ], stations));
 }
 function markRow() {
   byId("station-table").querySelectorAll("tbody tr").forEach((row, i) => row.classList.toggle("current", i === state.station));
@@ -91,6 +118,11 @@ function listen() {
   byId("next").addEventListener("click", () => select(state.station + 1));
   byId("color").replaceChildren(...Object.entries(COLORS).map(([key, { name }]) => element("option", { value: key }, name)));
   byId("color").addEventListener("change", (event) => recolor(event.target.value));
+  byId("order").replaceChildren(...data.orders.map(({ name }, i) => element("option", { value: String(i) }, name)));
+  byId("order").addEventListener("change", (event) => {
+    state.order = Number(event.target.value);
+    showMatrices();
+  });
   for (const id of ["centers", "edges"]) byId(id).addEventListener("change", draw);
   byId("log").addEventListener("change", (event) => {
     state.log = event.target.checked;
@@ -122,6 +154,8 @@ if (stations.length > 0) {
   listen();
   showPlots();
   showStations();
+  showQuality();
+  showOther();
   fillPrint();
   select(0);
 }

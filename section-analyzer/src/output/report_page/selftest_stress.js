@@ -1,23 +1,13 @@
 // Checks of the stresses, of the page itself and against samples that its program has computed.
 
-function area(points) {
-  return points.reduce((sum, [y, z], i) => {
-    const [v, w] = points[(i + 1) % points.length];
-    return sum + 0.5 * (y * w - v * z);
-  }, 0);
-}
 // Internal force of the stresses of a section, from means of its cells, and the sums of their sizes.
 function resultantOf(station) {
   const units = unitStresses(station);
   const [sums, sizes] = [[0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0]];
-  station.cells.forEach(({ points, middle, ply, plane }, k) => {
-    const [s11, s22, s33, s23, s13, s12] = superposed(units[k], state.force);
-    const [fiber, wall] = [ply.axis_angle, plane].map((angle) => (angle * Math.PI) / 180);
-    const [c, s, cw, sw] = [Math.cos(fiber), Math.sin(fiber), Math.cos(wall), Math.sin(wall)];
-    const across = [[s11, s12, s13], [s12, s22, s23], [s13, s23, s33]].map((row) => row[0] * c - row[1] * s);
-    const axes = [[c, s * cw, s * sw], [-s, c * cw, c * sw], [0, -sw, cw]];
+  station.cells.forEach((cell, k) => {
+    const { points, middle } = cell;
     const size = Math.abs(area(points));
-    const [x, y, z] = [0, 1, 2].map((i) => size * axes.reduce((sum, axis, j) => sum + axis[i] * across[j], 0));
+    const [x, y, z] = onSection(cell, superposed(units[k], state.force)).map((stress) => size * stress);
     const terms = [[x], [y], [z], [middle[0] * z, -middle[1] * y], [middle[1] * x], [-middle[0] * x]];
     terms.forEach((parts, i) => parts.forEach((part) => {
       sums[i] += part;
@@ -39,11 +29,26 @@ function checkResultants(check, station) {
     });
   });
 }
+// Shares of the layers add up to one; the axial force under a unit axial strain is K11.
+function checkShares(check, station) {
+  const shares = [...layerShares(station).values()];
+  for (const i of [0, 1, 2]) {
+    const sum = shares.reduce((all, parts) => all + parts[i], 0);
+    check(Math.abs(sum - 1) < 1e-9, `${station.name}: shares of the layers add up to ${sum}`);
+  }
+  load({ kind: "unit", value: 0 });
+  state.force = station.stiffness.map((row) => row[0]);
+  const axial = resultantOf(station).sums[0];
+  check(Math.abs(axial / station.stiffness[0][0] - 1) < 0.01, `${station.name}: EA of the layers is ${axial}`);
+  const heads = [...byId("layer-table").querySelectorAll("th")].map((head) => head.textContent);
+  check(["of EA", "of EI about y", "of EI about z"].every((head) => heads.includes(head)), `${station.name}: no shares of stiffness`);
+}
 // Sums of loads, extremes and colors.
 function checkStresses(check, station) {
   if (!station.picture.stress) return;
   check(unitStresses(station).length === station.cells.length, `${station.name}: cells without stress`);
   checkResultants(check, station);
+  checkShares(check, station);
   const before = state.load;
   const field = byId("force-4");
   field.value = "-2.5e6";

@@ -19,6 +19,21 @@ function unitStresses(station) {
 function superposed(unit, force) {
   return AXES.map((_, c) => force.reduce((sum, value, load) => sum + value * unit[6 * load + c], 0));
 }
+// The area of a polygon, positive if its corners are counterclockwise.
+function area(points) {
+  return points.reduce((sum, [y, z], i) => {
+    const [v, w] = points[(i + 1) % points.length];
+    return sum + 0.5 * (y * w - v * z);
+  }, 0);
+}
+// The stress of a cell on the plane of the section, along x, y and z, from its stress in material axes.
+function onSection({ ply, plane }, [s11, s22, s33, s23, s13, s12]) {
+  const [fiber, wall] = [ply.axis_angle, plane].map((angle) => (angle * Math.PI) / 180);
+  const [c, s, cw, sw] = [Math.cos(fiber), Math.sin(fiber), Math.cos(wall), Math.sin(wall)];
+  const across = [[s11, s12, s13], [s12, s22, s23], [s13, s23, s33]].map((row) => row[0] * c - row[1] * s);
+  const axes = [[c, s * cw, s * sw], [-s, c * cw, c * sw], [0, -sw, cw]];
+  return [0, 1, 2].map((i) => axes.reduce((sum, axis, j) => sum + axis[i] * across[j], 0));
+}
 // Stress, von Mises stress and governing failure of each cell under the chosen load; null if
 // the station has no stresses.
 function stressed(station) {

@@ -20,8 +20,33 @@ function toggle(names, isHidden) {
   if (state.cell >= 0 && !isShown(current().cells[state.cell])) point(-1, false);
   refresh();
 }
+// Sums over the cells of each layer: the axial force under a unit axial strain, and the bending moments y
+// and z about the tension center under these moments alone; as parts of the sums of all layers.
+function layerShares(station) {
+  const units = unitStresses(station);
+  if (!units) return null;
+  if (station.shares) return station.shares;
+  const [y0, z0] = station.tension_center;
+  const unit = (i) => [0, 1, 2, 3, 4, 5].map((j) => (i === j ? 1 : 0));
+  const loads = [
+    [station.stiffness.map((row) => row[0]), () => 1],
+    [unit(4), ([, z]) => z - z0],
+    [unit(5), ([y]) => y0 - y],
+  ];
+  const found = new Map(station.layers.map(({ name }) => [name, [0, 0, 0]]));
+  const sums = [0, 0, 0];
+  station.cells.forEach((cell, k) => loads.forEach(([force, arm], i) => {
+    const part = Math.abs(area(cell.points)) * onSection(cell, superposed(units[k], force))[0] * arm(cell.middle);
+    sums[i] += part;
+    if (found.has(cell.layer)) found.get(cell.layer)[i] += part;
+  }));
+  station.shares = new Map([...found].map(([name, parts]) => [name, parts.map((part, i) => part / sums[i])]));
+  return station.shares;
+}
 function showLayers() {
   const rows = layerRows();
+  const shares = layerShares(current());
+  const shareOf = (i) => ({ layer }) => percent(shares.get(layer.name)[i]);
   const total = rows.reduce((sum, row) => sum + row.mass, 0);
   const percent = (part) => `${digits(100 * part, 3)} %`;
   const choice = ({ layer, first }) => {
@@ -42,6 +67,7 @@ function showLayers() {
     ["of the nominal area", (row) => percent(row.layer.meshed / row.layer.nominal)],
     ["mass [kg/m]", (row) => digits(row.mass, 4)],
     ["of the mass", (row) => percent(row.mass / total)],
+    ...(shares ? [["of EA", shareOf(0)], ["of EI about y", shareOf(1)], ["of EI about z", shareOf(2)]] : []),
   ], rows));
   const materials = [...new Set(rows.map((row) => row.layer.material))].map((name) => {
     const own = rows.filter((row) => row.layer.material === name);
@@ -108,19 +134,28 @@ function share(matrix, i, j) {
   const scale = Math.sqrt(Math.abs(matrix[i][i] * matrix[j][j]));
   return scale > 0 ? Math.abs(matrix[i][j]) / scale : 0;
 }
-function meaning(kind, i, j) {
+function meaning(kind, i, j, order) {
   const { letter, rows, columns } = MATRICES[kind];
-  return `${letter}${i + 1}${j + 1}: ${rows[i]} per ${columns[j]} [${unitOf(kind, i, j)}]`;
+  return `${letter}${i + 1}${j + 1}: ${named(rows, order)[i]} per ${named(columns, order)[j]} [${unitOf(kind, i, j)}]`;
 }
-function matrixTable(station, kind, caption) {
-  const matrix = station[kind];
-  const { letter, rows, columns } = MATRICES[kind];
-  const head = element("tr", {}, element("td", {}), ...data.components.map((name, j) => element("th", { scope: "col", title: columns[j] }, name)));
-  const body = matrix.map((row, i) => element("tr", {}, element("th", { scope: "row", title: rows[i] }, data.components[i]),
+// A matrix in the axes and order of another program: a component may be the negative of another one.
+function inOrder(matrix, { index, sign }) {
+  return index.map((i, row) => index.map((j, column) => sign[row] * sign[column] * matrix[i][j]));
+}
+// The words of components in an order.
+function named(words, { index, sign }) {
+  return index.map((i, row) => (sign[row] < 0 ? `negative ${words[i]}` : words[i]));
+}
+function matrixTable(station, kind, caption, order = data.orders[0]) {
+  const matrix = inOrder(station[kind], order);
+  const { letter } = MATRICES[kind];
+  const [rows, columns] = [named(MATRICES[kind].rows, order), named(MATRICES[kind].columns, order)];
+  const head = element("tr", {}, element("td", {}), ...order.components.map((name, j) => element("th", { scope: "col", title: columns[j] }, name)));
+  const body = matrix.map((row, i) => element("tr", {}, element("th", { scope: "row", title: rows[i] }, order.components[i]),
     ...row.map((value, j) => {
       const part = share(matrix, i, j);
       const look = part < 1e-6 ? "small" : i !== j && part > 0.01 ? "coupled" : "";
-      const cell = element("td", { class: look, title: meaning(kind, i, j) }, digits(value));
+      const cell = element("td", { class: look, title: meaning(kind, i, j, order) }, digits(value));
       Object.assign(cell.dataset, { kind, row: String(i), column: String(j), letter });
       return cell;
     })));
@@ -129,9 +164,10 @@ function matrixTable(station, kind, caption) {
 function explain(cell) {
   const { kind, row, column } = cell.dataset;
   const [i, j] = [Number(row), Number(column)];
-  const matrix = stations[state.station][kind];
+  const order = data.orders[state.order];
+  const matrix = inOrder(stations[state.station][kind], order);
   const part = i === j ? "" : `, ${digits(100 * share(matrix, i, j), 3)} % of the root of the product of the diagonal entries`;
-  byId("entry").textContent = `${meaning(kind, i, j)}: ${matrix[i][j]}${part}`;
+  byId("entry").textContent = `${meaning(kind, i, j, order)}: ${matrix[i][j]}${part}`;
 }
 // One cell of a table is in the order of the tab key; arrows move it.
 function listenToMatrix(made) {
@@ -181,8 +217,11 @@ function couplings(station, kind) {
 }
 function showMatrices() {
   const station = current();
+  const order = data.orders[state.order];
+  byId("order-text").textContent = `Axes and order: ${order.words}; about the reference line.`;
   const made = Object.entries(MATRICES).map(([kind, { title }]) => {
-    const one = matrixTable(station, kind, `${title} at ${labelOf(station)}, [${MATRICES[kind].units.join(", ")}]`);
+    const caption = `${title} at ${labelOf(station)}, [${MATRICES[kind].units.join(", ")}], in the order of ${order.name}`;
+    const one = matrixTable(station, kind, caption, order);
     listenToMatrix(one);
     return element("div", {}, one);
   });

@@ -34,8 +34,8 @@ fn values(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> [f64; 5] {
     [mass[(0, 0)], stiffness[(0, 0)], flap, edge, torsion]
 }
 
-/// Values of a station and of `other` at the same part of its length.
-fn pair(station: &SolvedStation, other: &Blade) -> [[f64; 5]; 2] {
+/// Mass, EA, EI flap, EI edge and GJ of a station, and of `other` at the same part of its length.
+pub(in crate::output) fn values_beside(station: &SolvedStation, other: &Blade) -> [[f64; 5]; 2] {
     let side = if station.properties.name.ends_with("_inner") {
         Side::Inner
     } else {
@@ -59,7 +59,7 @@ pub fn comparison_csv(span: &SolvedSpan<'_>, other: &Blade) -> String {
         ]);
     }
     let rows = span.stations.iter().map(|station| {
-        let [own, others] = pair(station, other);
+        let [own, others] = values_beside(station, other);
         let mut cells = vec![
             station.properties.name.clone(),
             format!("{:e}", station.eta),
@@ -79,7 +79,7 @@ pub fn comparison_text(span: &SolvedSpan<'_>, other: &Blade) -> String {
     let pairs: Vec<_> = span
         .stations
         .iter()
-        .map(|one| (one.eta, pair(one, other)))
+        .map(|one| (one.eta, values_beside(one, other)))
         .collect();
     for (number, (_, word)) in QUANTITIES.iter().enumerate() {
         let part = |(eta, [own, others]): &(f64, [[f64; 5]; 2])| {

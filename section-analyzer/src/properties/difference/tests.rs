@@ -58,6 +58,7 @@ fn section() -> SectionProperties {
             nodes: 0,
             cells: 0,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     };
     section.shift(Vector2::new(0.03, -0.02))

@@ -138,6 +138,7 @@ fn full(course: Course) -> Blade {
             nodes: 0,
             cells: 0,
             history: Vec::new(),
+            sections: Vec::new(),
         },
     }
 }

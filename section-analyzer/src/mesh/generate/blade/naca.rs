@@ -13,6 +13,8 @@ use std::f64::consts::PI;
 
 use super::problem::BladeProblem;
 
+/// Expected digits.
+const FOUR: &str = "four digits, or file = \"airfoil.dat\" with the coordinates of another airfoil";
 /// Coefficients of the thickness; with the last one the trailing edge is open by 0.252 %
 /// of the chord at a thickness of 12 %.
 const OPEN: [f64; 5] = [0.2969, -0.1260, -0.3516, 0.2843, -0.1015];
@@ -35,8 +37,8 @@ pub fn naca(digits: &str, is_closed: bool) -> Result<Vec<[f64; 2]>, BladeProblem
         why,
     };
     let found = found.filter(|found| found.len() == 4);
-    let [camber, position, tens, ones] = found.ok_or(wrong("four digits"))?[..] else {
-        return Err(wrong("four digits"));
+    let [camber, position, tens, ones] = found.ok_or(wrong(FOUR))?[..] else {
+        return Err(wrong(FOUR));
     };
     let (m, p, t) = (0.01 * camber, 0.1 * position, 0.01 * (10.0 * tens + ones));
     if t <= 0.0 {
