@@ -53,6 +53,10 @@ pub enum ModeKind {
     Axial,
     /// Across the axis of rotation, of nodes that belong to no blade: shafts and hubs.
     Lateral,
+    /// Bending of the tower along the wind, with nacelle and hub.
+    ForeAft,
+    /// Bending of the tower across the wind, with nacelle and hub.
+    SideSide,
     /// No kind holds enough of the kinetic energy.
     Coupled,
     /// Without strain, of parts that nothing holds: frequency zero.
@@ -72,6 +76,16 @@ impl ModeKind {
         }
     }
 
+    /// The kind of the tower, if motion fore-aft and from side to side of the parts outside the blades
+    /// holds most of the energy.
+    pub fn of_tower([fore_aft, side]: [f64; 2]) -> Option<Self> {
+        let is_tower = fore_aft + side >= PURE_SHARE;
+        is_tower.then_some(match fore_aft > side {
+            true => Self::ForeAft,
+            false => Self::SideSide,
+        })
+    }
+
     /// The word for the kind among these words.
     pub fn word_in(self, words: Words) -> &'static str {
         match (self, words) {
@@ -88,6 +102,8 @@ impl ModeKind {
             Self::Torsion => "torsion",
             Self::Axial => "axial",
             Self::Lateral => "lateral",
+            Self::ForeAft => "tower fore-aft",
+            Self::SideSide => "tower side-side",
             Self::Coupled => "coupled",
             Self::Rigid => "rigid",
         }
@@ -223,6 +239,9 @@ pub struct ModePoint {
     /// Share of the motion across the axis of rotation of nodes that belong to no blade and are on
     /// the axis; part of flap and lag in `shares` [-].
     pub lateral: f64,
+    /// Shares of the motion fore-aft and from side to side of nodes that belong to no blade, in a model
+    /// with a tower [-].
+    pub tower: [f64; 2],
     /// Pattern of motion of the blades; `None` without a rotor of equal blades.
     pub whirl: Option<Whirl>,
     /// Modal assurance criterion with the same mode at the previous speed; `None` where the
@@ -235,10 +254,10 @@ pub struct ModePoint {
 impl ModePoint {
     /// Kind at this speed.
     pub fn kind(&self) -> ModeKind {
-        if self.lateral >= PURE_SHARE {
-            ModeKind::Lateral
-        } else {
-            ModeKind::of(&self.shares)
+        match ModeKind::of_tower(self.tower) {
+            Some(kind) => kind,
+            None if self.lateral >= PURE_SHARE => ModeKind::Lateral,
+            None => ModeKind::of(&self.shares),
         }
     }
 }

@@ -148,6 +148,7 @@ mod tests {
             growth: 0.0,
             shares,
             lateral: 0.0,
+            tower: [0.0; 2],
             whirl: None,
             assurance: None,
             shape: None,

@@ -63,6 +63,7 @@ mod tests {
             growth: 0.0,
             shares: [1.0, 0.0, 0.0, 0.0],
             lateral: 0.0,
+            tower: [0.0; 2],
             whirl: None,
             assurance: None,
             shape: None,

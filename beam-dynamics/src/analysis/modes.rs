@@ -11,7 +11,7 @@ use crate::model::State;
 use crate::modes::{
     EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, half_air, separate, shaft_whirl,
 };
-use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModePoint};
+use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModeKind, ModePoint};
 use crate::solver::LinearSolver;
 
 use super::around_the_axis::{copies, left_out, rotor};
@@ -104,11 +104,12 @@ impl Case<'_> {
 
     /// Adds the shares of the energy and the kind of motion of a mode.
     fn describe(&self, mode: &mut Mode) {
-        let naming = &self.model.naming;
-        mode.point.shares = mode.motion.shares(naming);
-        mode.point.lateral = mode.motion.lateral(naming);
-        let of_blades = self.rotor.and_then(|rotor| rotor.whirl(&mode.motion));
-        mode.point.whirl = of_blades.or_else(|| shaft_whirl(&mode.motion, naming));
+        let (naming, motion) = (&self.model.naming, &mode.motion);
+        mode.point.shares = motion.shares(naming);
+        (mode.point.lateral, mode.point.tower) = (motion.lateral(naming), motion.of_tower(naming));
+        let whirl = self.rotor.and_then(|rotor| rotor.whirl(motion));
+        let whirl = whirl.or_else(|| shaft_whirl(motion, naming));
+        mode.point.whirl = whirl.filter(|_| ModeKind::of_tower(mode.point.tower).is_none());
     }
 }
 
@@ -452,6 +453,7 @@ fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
         growth,
         shares: [0.0; 4],
         lateral: 0.0,
+        tower: [0.0; 2],
         whirl: None,
         assurance: None,
         shape: None,

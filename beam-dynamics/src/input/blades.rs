@@ -1,9 +1,11 @@
 //! Blades: a card for whole lines of beams, their roots and their masses.
 
 use nalgebra::Vector3;
-use shared_geom::document::schema::TableSchema;
-use shared_geom::document::schema::ValueKind::{Boolean, NotNegative, Table as OneTable, Tables};
-use shared_geom::document::{Nested, NestedList, Table};
+use shared_geom::document::schema::ValueKind::{
+    Boolean, NotNegative, Table as OneTable, Tables, Word,
+};
+use shared_geom::document::schema::{KeySchema, TableSchema};
+use shared_geom::document::{Declared, Nested, NestedList, Table, Value};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
@@ -117,8 +119,9 @@ keys! {
     /// Whether the root is clamped to the frame, or to the hub if it has a support.
     CLAMP_ROOT: Option<bool> = "clamp_root", [Boolean], or "true without `hinges`", "false";
     /// Whether it is a part of another blade, such as a flexbeam: results and multiblade
-    /// coordinates then do not count it as a blade.
-    PART: bool = "part", [Boolean], or "false" = false, "true";
+    /// coordinates then do not count it as a blade; `"tower"` names modes after it.
+    PART: Part = "part", [Boolean, Word(&[TOWER])] as "true, false or \"tower\"",
+        or "false" = Part::No, "true";
     /// Hinges between hub and root, from the hub outward.
     HINGES: NestedList = "hinges", [Tables(&hinges::CARD)], optional, "";
     /// Strips of every blade of the card in the air.
@@ -144,7 +147,7 @@ struct Card {
     layout: BladeLayout,
     formulation: (Formulation, Inertia),
     root: Root,
-    is_part: bool,
+    part: Part,
     /// Motion at the start, and the center about which it turns \[m\].
     initial: (InitialMotion, Vector3<f64>),
     /// Index of the node that carries it, and the inertia about that node.
@@ -207,7 +210,7 @@ fn card(
     let mounts = mounts::read(table, builder, named);
     let formulation = formulation::read(table);
     let root = root(table, &name, builder);
-    let is_part = is_part(table, &name);
+    let part = part(table, &name);
     let masses = masses::read(table);
     let initial = initial(table, builder);
     let source = source::read(table, builder, &name);
@@ -220,17 +223,17 @@ fn card(
         layout,
         formulation: formulation?,
         root: root?,
-        is_part: is_part?,
+        part: part?,
         initial: initial?,
         masses,
         air: air?,
     })
 }
 
-/// Whether a card is for parts of other blades, which have no strips.
-fn is_part(table: &Table<'_>, name: &str) -> Option<bool> {
-    let is_part = table.get(&PART)?;
-    if is_part && table.has(&AERODYNAMICS) {
+/// The part that a card is; parts have no strips.
+fn part(table: &Table<'_>, name: &str) -> Option<Part> {
+    let part = table.get(&PART)?;
+    if part != Part::No && table.has(&AERODYNAMICS) {
         let problem = BladeProblem::Both {
             blade: format!("blade \"{name}\""),
             first: PART.name(),
@@ -239,7 +242,7 @@ fn is_part(table: &Table<'_>, name: &str) -> Option<bool> {
         table.note(&AERODYNAMICS, &problem);
         return None;
     }
-    Some(is_part)
+    Some(part)
 }
 
 /// Strips of a blade; on an endless line if its own is wrong, so that all problems are noted.
@@ -311,6 +314,30 @@ fn root(table: &Table<'_>, name: &str, builder: &ModelBuilder) -> Option<Root> {
     Some(if clamped { Root::Clamped } else { Root::Free })
 }
 
+/// Whether a card is a part of another blade or a tower.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    No,
+    Other,
+    Tower,
+}
+
+impl Declared for Part {}
+
+/// Whether it is a part, or the word of a tower.
+impl Value for Part {
+    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
+        if table.is_text(key) {
+            return table.word(key.name, &[TOWER]).map(|_| Self::Tower);
+        }
+        let is_part = table.boolean(key.name)?;
+        Some(if is_part { Self::Other } else { Self::No })
+    }
+}
+
+/// The word of a part that is a tower.
+pub(super) const TOWER: &str = "tower";
+
 /// Adds nodes, beams, masses and the root of one blade to the model.
 fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBuilder) {
     let nodes = add_nodes(card, mount, table, builder);
@@ -334,13 +361,15 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             None => builder.note_loose_end(),
         },
     }
-    if !card.is_part {
-        builder.add_blade(BladeNodes {
+    match card.part {
+        Part::No => builder.add_blade(BladeNodes {
             name: mount.name.clone(),
             azimuth: mount.azimuth,
             nodes,
             axes: mount.blade_axes(),
-        });
+        }),
+        Part::Tower => builder.add_tower(mount.axes),
+        Part::Other => {}
     }
 }
 

@@ -84,6 +84,8 @@ pub(super) struct ModelBuilder {
     /// Node of a hub that is not held by the frame.
     hub_node: Option<usize>,
     blades: Vec<BladeNodes>,
+    /// Axes of the tower, if there is one.
+    tower: Option<Matrix3<f64>>,
     /// Blades with strips.
     air_blades: Vec<AirBlade>,
     remarks: Vec<String>,
@@ -131,6 +133,7 @@ impl ModelBuilder {
             electrodes: Vec::new(),
             hub_node: None,
             blades: Vec::new(),
+            tower: None,
             air_blades: Vec::new(),
             remarks,
             driven: Vec::new(),

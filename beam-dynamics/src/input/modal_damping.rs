@@ -70,7 +70,13 @@ fn is_ratio(number: f64) -> bool {
 
 /// Whether a name begins with a kind of mode.
 fn begins_with_kind(name: &str) -> bool {
-    let others = [ModeKind::Coupled, ModeKind::Lateral].map(ModeKind::word);
+    let others = [
+        ModeKind::Coupled,
+        ModeKind::Lateral,
+        ModeKind::ForeAft,
+        ModeKind::SideSide,
+    ];
+    let others = others.map(ModeKind::word);
     let mut kinds = ModeKind::PURE
         .iter()
         .map(|kind| kind.word())

@@ -54,6 +54,7 @@ impl ModelBuilder {
         }
         let sections = self.sections();
         let along = hub.shaft_axes();
+        let tower = self.tower_axes();
         let axes = |node: usize| {
             let own = || axes_of(&sections[node].column(0).into_owned(), node);
             let blade = of_blades[node].or_else(|| chains.axes(node));
@@ -62,15 +63,28 @@ impl ModelBuilder {
                     blade: along,
                     section: along,
                     is_central: true,
+                    tower: tower[node],
                 },
                 false => NamingAxes {
                     blade: blade.unwrap_or_else(own),
                     section: sections[node],
                     is_central: false,
+                    tower: tower[node],
                 },
             }
         };
         Some((0..self.nodes().len()).map(axes).collect())
+    }
+
+    /// Axes of the tower for nodes that belong to no blade; all `None` without a tower.
+    fn tower_axes(&self) -> Vec<Option<Matrix3<f64>>> {
+        let is_of_blade = |node: usize| {
+            let mut blades = self.blades().iter();
+            blades.any(|blade| blade.nodes.contains(&node))
+        };
+        let nodes = 0..self.nodes().len();
+        let axes = |node: usize| self.tower().filter(|_| !is_of_blade(node));
+        nodes.map(axes).collect()
     }
 
     /// Whether each node is on the axis of rotation and belongs to no blade; `None` without a hub.

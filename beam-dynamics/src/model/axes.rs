@@ -14,6 +14,9 @@ pub struct NamingAxes {
     /// Whether the node belongs to no blade and is on the axis of rotation, which is then x of
     /// both axes: its motion across the axis is lateral, in any direction.
     pub is_central: bool,
+    /// Of a node that belongs to no blade, in a model with a tower: the directions (columns) up the
+    /// tower, from side to side, and along the wind, fore-aft [-].
+    pub tower: Option<Matrix3<f64>>,
 }
 
 impl Default for NamingAxes {
@@ -23,6 +26,7 @@ impl Default for NamingAxes {
             blade: Matrix3::identity(),
             section: Matrix3::identity(),
             is_central: false,
+            tower: None,
         }
     }
 }

@@ -93,6 +93,27 @@ impl ModeMotion {
         }
     }
 
+    /// Shares of the motion fore-aft and from side to side of the nodes that belong to no blade, in a
+    /// model with a tower: displacements and rotations about the other direction.
+    pub fn of_tower(&self, axes: &[NamingAxes]) -> [f64; 2] {
+        let total: f64 = self.energies(self, axes).iter().map(|e| e.re).sum();
+        let as_tower = axes.iter().map(|own| match own.tower {
+            Some(tower) => NamingAxes {
+                blade: tower,
+                section: tower,
+                ..*own
+            },
+            None => *own,
+        });
+        let as_tower: Vec<_> = as_tower.collect();
+        let of_tower = |node: usize| f64::from(u8::from(axes[node].tower.is_some()));
+        let [fore_aft, side, ..] = self.weighted_energies(self, &as_tower, of_tower);
+        match total > 0.0 {
+            true => [fore_aft.re / total, side.re / total],
+            false => [0.0; 2],
+        }
+    }
+
     /// `q_a^H P M q_b` with P the projection on flap, lag, torsion and axial motion:
     /// displacements along the blade axes, rotations about the section axes.
     pub(super) fn energies(&self, other: &Self, axes: &[NamingAxes]) -> [Complex<f64>; 4] {

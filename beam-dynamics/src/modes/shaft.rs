@@ -80,6 +80,7 @@ mod tests {
                 blade: Matrix3::identity(),
                 section: Matrix3::identity(),
                 is_central,
+                tower: None,
             };
             shaft_whirl(&ModeMotion { motion, momentum }, &[axes])
         };

@@ -58,6 +58,7 @@ fn point(frequency: f64, shares: Shares, assurance: Option<f64>) -> Option<ModeP
         growth: 0.0,
         shares,
         lateral: 0.0,
+        tower: [0.0; 2],
         whirl: None,
         assurance,
         shape: None,

@@ -31,6 +31,11 @@ const LATERAL: &str = "\
         axial motion is along the axis, and torsion about it
 ";
 
+/// The kinds of modes of towers.
+const TOWER: &str = "\
+\x20 tower fore-aft, tower side-side: of tower, nacelle and hub, along the wind and across it
+";
+
 /// The kind of modes of parts that nothing holds.
 const RIGID: &str = "\
 \x20 rigid: motion without strain of parts that nothing holds, of frequency zero
@@ -85,8 +90,14 @@ fn of_all_kinds(table: &FrequencyTable) -> String {
         }
     };
     let lateral = of_kind(ModeKind::Lateral, LATERAL);
+    let of_tower = [ModeKind::ForeAft, ModeKind::SideSide].map(|kind| of_kind(kind, TOWER));
+    let tower = if of_tower[0].is_empty() {
+        of_tower[1]
+    } else {
+        TOWER
+    };
     let rigid = of_kind(ModeKind::Rigid, RIGID);
-    let text = format!("{CONVENTION}{lateral}{rigid}{damping}{whirl}");
+    let text = format!("{CONVENTION}{lateral}{tower}{rigid}{damping}{whirl}");
     let unit = table.style.unit.of_column().word();
     let text = text.replace("  Hz    ", &format!("  {unit:<6}"));
     match table.style.words {

@@ -247,6 +247,7 @@ mod tests {
             growth,
             shares: [0.0, 1.0, 0.0, 0.0],
             lateral: 0.0,
+            tower: [0.0; 2],
             whirl: Some(whirl),
             assurance: None,
             shape: None,

@@ -355,7 +355,9 @@ fn root(
 fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
     let shares = mode.motion.shares(&mode.axes);
     let whirl = mode.whirl.filter(Whirl::is_pure);
-    let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word()));
+    let tower = ModeKind::of_tower(mode.motion.of_tower(&mode.axes));
+    let pattern = whirl.filter(|_| tower.is_none());
+    let pattern = pattern.map_or_else(String::new, |w| format!(" {}", w.word()));
     let is_real = mode.exponent.im == 0.0;
     StabilityRoot {
         doubt: if is_real {
@@ -363,7 +365,7 @@ fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
         } else {
             ROUND_OFF * mode.exponent.norm()
         },
-        name: ModeKind::of(&shares).word().to_owned(),
+        name: tower.unwrap_or(ModeKind::of(&shares)).word().to_owned(),
         pattern: Some(pattern),
         waves: whirl.map(|whirl| whirl.harmonic),
         shape: mode.motion.parts().map(<[_]>::to_vec),

@@ -61,6 +61,16 @@ impl ModelBuilder {
         self.blades.push(blade);
     }
 
+    /// Axes (columns) of the tower: up, from side to side, and along the wind.
+    pub fn tower(&self) -> Option<Matrix3<f64>> {
+        self.tower
+    }
+
+    /// Notes that the model has a tower with these axes.
+    pub fn add_tower(&mut self, axes: Matrix3<f64>) {
+        self.tower = Some(axes);
+    }
+
     /// Notes that the card called `card` has the blades `blades`.
     pub fn add_blade_card(&mut self, card: String, blades: Vec<String>) {
         self.blade_cards.insert(card, blades);

@@ -98,7 +98,8 @@ pub(super) fn mark(kind: ModeKind) -> Mark {
         ModeKind::Lag => Mark::Square,
         ModeKind::Torsion => Mark::Up,
         ModeKind::Axial => Mark::Diamond,
-        ModeKind::Lateral => Mark::Down,
+        ModeKind::Lateral | ModeKind::ForeAft => Mark::Down,
+        ModeKind::SideSide => Mark::OpenDiamond,
         ModeKind::Rigid => Mark::Dash,
         ModeKind::Coupled => Mark::Cross,
     }

@@ -12,7 +12,13 @@ const GRAY: Color = Color(90, 90, 90);
 /// mark of critical speeds.
 pub(super) fn legends(plot: &FanPlot) -> [Legend; 2] {
     let [mut legend, mut lines] = [Legend::default(), Legend::default()];
-    let others = [ModeKind::Lateral, ModeKind::Coupled, ModeKind::Rigid];
+    let others = [
+        ModeKind::Lateral,
+        ModeKind::ForeAft,
+        ModeKind::SideSide,
+        ModeKind::Coupled,
+        ModeKind::Rigid,
+    ];
     for kind in ModeKind::PURE.into_iter().chain(others) {
         let mut kinds = plot.curves.iter().flat_map(|curve| &curve.kinds);
         if kinds.any(|found| *found == Some(kind)) {

@@ -26,7 +26,8 @@ pub(super) fn color(kind: ModeKind) -> Color {
         ModeKind::Lag => CATEGORIES[1],
         ModeKind::Torsion => CATEGORIES[2],
         ModeKind::Axial => CATEGORIES[3],
-        ModeKind::Lateral => CATEGORIES[4],
+        ModeKind::Lateral | ModeKind::ForeAft => CATEGORIES[4],
+        ModeKind::SideSide => CATEGORIES[6],
         ModeKind::Coupled => CATEGORIES[5],
         ModeKind::Rigid => NO_STRAIN,
     }

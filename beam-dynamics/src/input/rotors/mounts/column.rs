@@ -5,6 +5,7 @@ use shared_geom::document::{Card, Content, Table};
 use shared_geom::rotation::vector;
 
 use super::keys::{ELEMENTS, FILE, PROPERTIES};
+use crate::input::blades::TOWER;
 use crate::input::rotors::base::{Base, angles, lengths};
 use crate::input::rotors::problem::RotorProblem;
 
@@ -17,6 +18,8 @@ pub(in crate::input::rotors) struct Column {
     pub axes: Matrix3<f64>,
     /// Length \[m\].
     pub length: f64,
+    /// Its name among parts: a tower or a wing.
+    part: &'static str,
     /// Keys of its card.
     keys: Vec<(&'static str, Content)>,
 }
@@ -55,6 +58,7 @@ impl Column {
             foot,
             axes,
             length,
+            part,
             keys,
         })
     }
@@ -91,7 +95,13 @@ impl Column {
             .with("in", frame.as_str())
             .with("hub_radius", Content::quantity(0.0, "m"))
             .with("clamp_root", holder.is_none())
-            .with("part", true)
+            .with(
+                "part",
+                match self.part {
+                    TOWER => Content::from(TOWER),
+                    _ => Content::from(true),
+                },
+            )
             .with_all(
                 self.keys
                     .iter()
