@@ -137,13 +137,8 @@ fn solve_sections(
     };
     let is_written = missing.is_empty() || arguments.skip_failed;
     let other = other.map(|reading| reading.blade);
-    let request = Request {
-        modes,
-        other: other.clone(),
-        missing: missing.clone(),
-    };
-    let page = arguments.report.then(|| request.page(layup, &span, &files));
-    let page = page.flatten();
+    let request = Request::new(modes, other.clone(), &missing);
+    let page = (arguments.report.then(|| request.page(layup, &span, &files))).flatten();
     let results = results::Results {
         span: &span,
         page,

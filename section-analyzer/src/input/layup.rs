@@ -31,6 +31,7 @@ mod span;
 mod taper;
 mod windio;
 
+pub use constants::table_name;
 pub use course::Course;
 pub use fills::{FillBound, WrittenFill};
 pub use place::{Place, PlaceForm, SIDES};
@@ -41,6 +42,7 @@ pub use taper::Taper;
 
 pub(super) use keys::LAYUP_FILE;
 
+use constants::constants;
 use keys::{BLADE_NAME, EDGE, FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
@@ -197,21 +199,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         shape_line = table.line();
         Shape::read(&document, table)
     });
-    let layers = root.each(&LAYERS, |table| known.layers(table));
-    let layers: Option<Vec<WrittenLayer>> = layers.map(|layers| layers.concat());
-    let webs = root.each(&WEBS, |table| known.web(table));
-    // feet are inside of the layers of the shell
-    let webs = webs.map(|webs| webs.into_iter().unzip());
-    let (webs, feet): (Option<Vec<WrittenWeb>>, Option<Vec<Vec<WrittenLayer>>>) = webs.unzip();
-    let layers = layers
-        .zip(feet)
-        .map(|(layers, feet)| [layers, feet.concat()].concat());
-    let edge = root.nested(&EDGE, |table| edge::read(&known, table));
-    let fills = root.each(&FILLS, |table| known.fill(table));
-    let fills = fills.zip(edge).map(|(fills, edge)| {
-        let bond: Vec<WrittenFill> = edge.flatten().into_iter().collect();
-        [bond, fills].concat()
-    });
+    let (layers, webs) = layers_and_webs(&root, &known);
+    let fills = fills(&root, &known);
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     let line = root.nested(&LINE, line::read);
@@ -259,6 +248,30 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         }
     }
     document.finish(layup)
+}
+
+/// The layers of the shell, then the layers of the feet of webs, which are inside of them, and the webs.
+fn layers_and_webs(
+    root: &Table<'_>,
+    known: &Known,
+) -> (Option<Vec<WrittenLayer>>, Option<Vec<WrittenWeb>>) {
+    let layers = root.each(&LAYERS, |table| known.layers(table));
+    let webs = root.each(&WEBS, |table| foot::web(known, table));
+    let webs = webs.map(|webs| webs.into_iter().unzip());
+    let (webs, feet): (_, Option<Vec<Vec<WrittenLayer>>>) = webs.unzip();
+    let layers = layers.zip(feet).map(|(mut layers, feet)| {
+        layers.extend(feet);
+        layers.concat()
+    });
+    (layers, webs)
+}
+
+/// The adhesive at the trailing edge, and the other fills.
+fn fills(root: &Table<'_>, known: &Known) -> Option<Vec<WrittenFill>> {
+    let edge = root.nested(&EDGE, |table| edge::read(known, table));
+    let fills = root.each(&FILLS, |table| known.fill(table));
+    let (edge, fills) = (edge?, fills?);
+    Some(edge.flatten().into_iter().chain(fills).collect())
 }
 
 /// The outermost table of a layup file, with its units.
@@ -345,37 +358,6 @@ fn wrong_spars<'a>(
     };
     // one of a kind is enough
     of_layers.find_map(problem).into_iter().collect()
-}
-
-/// The lines of the tables of units and materials, and of a word of units at the top; without comments
-/// and blank lines, but for one before each table, so that they do not change fingerprints.
-fn constants(text: &str) -> String {
-    let mut kept = String::new();
-    let (mut is_kept, mut is_top) = (false, true);
-    for line in text.lines().map(str::trim) {
-        let name = table_name(line);
-        if let Some(name) = name {
-            is_top = false;
-            is_kept = name.starts_with("material") || name.starts_with("units");
-        }
-        let is_empty = line.is_empty() || line.starts_with('#');
-        if !is_empty && (is_kept || (is_top && line.starts_with("units"))) {
-            if name.is_some() && !kept.is_empty() {
-                kept.push('\n');
-            }
-            kept.push_str(line);
-            kept.push('\n');
-        }
-    }
-    kept
-}
-
-/// The name in the head of a table; `None` for other lines, such as the rows of a matrix.
-pub fn table_name(line: &str) -> Option<&str> {
-    let name = line.trim_start().strip_prefix('[')?;
-    let name = name.trim_start_matches('[').trim_start();
-    name.starts_with(|letter: char| letter.is_ascii_alphabetic())
-        .then_some(name)
 }
 
 impl Layup {

@@ -187,7 +187,7 @@ fn matrices_have_the_orders_of_programs_and_another_blade_is_beside() {
         }
         let quality = station["picture"]["quality"].as_array().unwrap();
         let [aspect, least, most, jacobian] = [0, 1, 2, 3].map(|i| quality[i].as_f64().unwrap());
-        assert!(aspect >= 1.0 && least > 0.0 && least <= 90.0 && most >= 60.0 && most <= 180.0);
+        assert!(aspect >= 1.0 && least > 0.0 && least <= 90.0 && (60.0..=180.0).contains(&most));
         assert!(jacobian > 0.0 && jacobian <= 1.0);
     }
     assert_eq!(data["other"]["name"], "b");

@@ -26,6 +26,15 @@ pub(super) struct Request {
 }
 
 impl Request {
+    pub fn new(modes: Option<ModeTable>, other: Option<Blade>, missing: &[String]) -> Self {
+        let missing = missing.to_vec();
+        Self {
+            modes,
+            other,
+            missing,
+        }
+    }
+
     /// The report of the solved sections; `None` if there are none.
     pub fn page(&self, layup: &Layup, span: &SolvedSpan<'_>, files: &SpanFiles) -> Option<String> {
         if span.stations.is_empty() {

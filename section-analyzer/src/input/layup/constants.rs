@@ -45,3 +45,34 @@ pub(super) fn checked(
     });
     problems.keep(rewritten).map(|()| text)
 }
+
+/// The lines of the tables of units and materials, and of a word of units at the top; without comments
+/// and blank lines, but for one before each table, so that they do not change fingerprints.
+pub(super) fn constants(text: &str) -> String {
+    let mut kept = String::new();
+    let (mut is_kept, mut is_top) = (false, true);
+    for line in text.lines().map(str::trim) {
+        let name = table_name(line);
+        if let Some(name) = name {
+            is_top = false;
+            is_kept = name.starts_with("material") || name.starts_with("units");
+        }
+        let is_empty = line.is_empty() || line.starts_with('#');
+        if !is_empty && (is_kept || (is_top && line.starts_with("units"))) {
+            if name.is_some() && !kept.is_empty() {
+                kept.push('\n');
+            }
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
+/// The name in the head of a table; `None` for other lines, such as the rows of a matrix.
+pub fn table_name(line: &str) -> Option<&str> {
+    let name = line.trim_start().strip_prefix('[')?;
+    let name = name.trim_start_matches('[').trim_start();
+    name.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        .then_some(name)
+}

@@ -1,61 +1,9 @@
 //! Fills of the spaces between shell and webs as written.
 
-use shared_geom::document::schema::ValueKind::{Table as OneTable, Text};
-use shared_geom::document::schema::{KeySchema, TableSchema};
+use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Declared, Table, Value};
-use shared_geom::keys;
 
-use super::place::{AT_EDGE, BOTH, BothSides, Place};
-
-keys! {
-    /// The bounds of a fill.
-    ROOM_KEYS = "room";
-    /// The web, or the plane, ahead of it, or `nose`.
-    FROM_BOUND: Option<FillBound> = "from", [Text, OneTable(&BOTH)], or "\"nose\"", "\"rear\"";
-    /// The web, or the plane, behind it, or `trailing_edge`.
-    TO_BOUND: Option<FillBound> = "to", [Text, OneTable(&BOTH)], or "\"trailing_edge\"",
-        "{ x = 0.03 }";
-}
-/// The table of the bounds of a fill.
-pub(super) const ROOM_TABLE: TableSchema = ROOM_KEYS;
-
-/// Words before the name of a web, for the part that is ahead of it or aft of it.
-const WORDS: [&str; 2] = ["ahead of ", "aft of "];
-
-/// The aft and the fore bound of a fill, given together.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Room(pub [Option<FillBound>; 2]);
-
-impl Declared for Room {}
-
-impl Value for Room {
-    fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        if table.is_text(key) {
-            let text = table.text(key.name)?;
-            let line = table.line_of(key);
-            let bound = |word: &&str| {
-                let web = text.strip_prefix(word)?.trim();
-                Some(FillBound::Web(web.to_owned(), line))
-            };
-            let bounds = [&WORDS[0], &WORDS[1]].map(bound);
-            if bounds.iter().all(Option::is_none) {
-                table.wrong(
-                    key,
-                    "\"ahead of WEB\", \"aft of WEB\", or a table with from and to",
-                );
-                return None;
-            }
-            return Some(Self(bounds));
-        }
-        let inner = table.table(key)?.described(&ROOM_TABLE);
-        let (from, to) = (inner.get(&FROM_BOUND), inner.get(&TO_BOUND));
-        inner.finish();
-        let open = |bound: Option<FillBound>, word: &str| {
-            bound.filter(|bound| !matches!(bound, FillBound::Web(web, _) if web == word))
-        };
-        Some(Self([open(to?, AT_EDGE), open(from?, "nose")]))
-    }
-}
+use super::place::{BothSides, Place};
 
 /// A material that fills spaces.
 #[derive(Debug, Clone, PartialEq)]

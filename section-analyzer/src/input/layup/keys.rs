@@ -14,9 +14,7 @@ use super::super::materials::MATERIALS;
 use super::super::regions::Angle;
 use super::TOWARDS;
 use super::course::{COURSE, Course};
-use super::edge::EDGE_TABLE;
-use super::fills::{FillBound, ROOM_TABLE, Room};
-use super::foot::FOOT_TABLE;
+use super::fills::FillBound;
 use super::line::LINE_OF_LAYUP;
 use super::place::{AT_EDGE, BOTH, BothSides, PLACE, Place};
 use super::taper::{Profile, Taper};
@@ -279,9 +277,6 @@ keys! {
         "{ x = 0.03 }";
     /// The web, or the plane, ahead of it; without it it goes to the nose.
     pub(super) AFT_OF: Option<FillBound> = "aft_of", [Text, OneTable(&BOTH)], optional, "\"rear\"";
-    /// Its bounds, in the place of `ahead_of` and `aft_of`: `aft of WEB`, `ahead of WEB`, or a table.
-    pub(super) ROOM: Option<Room> = "room", [Text, OneTable(&ROOM_TABLE)], optional,
-        "\"aft of rear\"";
     /// Angle of the fiber from x toward the second axis of the material.
     pub(super) FILL_FIBER_ANGLE: Angle = "fiber_angle", [Quantity(Dimension::ANGLE)],
         or "0" = Angle(0.0), "45";
@@ -315,4 +310,49 @@ keys! {
     MESH_TABLE = "[mesh]";
     /// Largest length of the cells along the contour; 1/120 of its length without it.
     pub(super) SIZE: Option<f64> = "size", [Positive(Dimension::LENGTH)], optional, "\"80 mm\"";
+}
+
+keys! {
+    /// The trailing edge, which the layers of the shell close, or an adhesive.
+    EDGE_TABLE = "[trailing_edge]";
+    /// Whether layers alone close it, or the adhesive `bond` too.
+    pub(super) CLOSE: usize = "close", [Word(&["auto", "bond"])], or "\"auto\"" = 0, "\"bond\"";
+    /// The adhesive.
+    pub(super) EDGE_BOND: Nested = "bond", [OneTable(&EDGE_BOND_TABLE)], optional, "";
+}
+
+keys! {
+    /// An adhesive from the trailing edge to a line between both sides: the first fill, by the name
+    /// `trailing_edge_bond`; absent where the layers leave no space for it.
+    EDGE_BOND_TABLE = "bond";
+    /// The line at which it ends.
+    pub(super) TO_LINE: BothSides = "to", [OneTable(&BOTH)], required, "{ distance = \"0.1 m\" }";
+    with MATERIAL.schema, RANGE.schema;
+}
+
+/// Sides of a web to which its foot extends.
+pub(super) const WAYS: [&str; 3] = ["fore", "aft", "both"];
+
+keys! {
+    /// Flanges and bond lines on both sides of a web.
+    FOOT_TABLE = "foot";
+    /// Length along the contour beyond the faces of the web.
+    pub(super) REACH: Course = "width", [NotNegative(Dimension::LENGTH), OneTable(&COURSE)], required,
+        "\"80 mm\"";
+    /// The sides of the web to which the foot extends.
+    pub(super) WAY: usize = "side", [Word(&WAYS)], or "\"both\"" = 2, "\"aft\"";
+    /// The plies that turn into flanges: the outermost ply of the web on each of these sides, the layer
+    /// `WEB_flange_SIDE`.
+    pub(super) TURNED: Option<usize> = "plies", [Word(&["outer"])], optional, "\"outer\"";
+    /// The bond line below, the layer `WEB_bond_SIDE`.
+    pub(super) FOOT_BOND: Nested = "bond", [OneTable(&FOOT_BOND_TABLE)], optional, "";
+}
+
+keys! {
+    /// A bond line.
+    FOOT_BOND_TABLE = "bond";
+    /// Its thickness.
+    pub(super) BOND_THICKNESS: Course = "thickness", [Positive(Dimension::LENGTH), OneTable(&COURSE)],
+        required, "\"5 mm\"";
+    with MATERIAL.schema;
 }

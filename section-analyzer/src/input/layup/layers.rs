@@ -5,11 +5,10 @@ use shared_geom::units::Dimension;
 
 use super::course::Course;
 use super::fills::WrittenFill;
-use super::foot;
 use super::keys::{
-    AFT_OF, AHEAD_OF, ANGLES, AROUND, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FOOT, FROM, MATERIAL,
-    NAME, PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROOM, ROUND, SUCTION, TAPER,
-    THICKNESS, TO, TOWARD, WEB_NAME, WEB_OF_LAYER, WIDTH,
+    AFT_OF, AHEAD_OF, ANGLES, AROUND, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
+    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROUND, SUCTION, TAPER, THICKNESS,
+    TO, TOWARD, WEB_NAME, WEB_OF_LAYER, WIDTH,
 };
 use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
@@ -117,8 +116,8 @@ impl Known {
         })
     }
 
-    /// A web, and the layers of its feet; notes problems.
-    pub fn web(&self, table: &Table<'_>) -> Option<(WrittenWeb, Vec<WrittenLayer>)> {
+    /// A web; notes problems.
+    pub fn web(&self, table: &Table<'_>) -> Option<WrittenWeb> {
         let name = table.get(&WEB_NAME);
         let has_places = table.has(&SUCTION) || table.has(&PRESSURE);
         let places = match table.has(&PLANE_OF_WEB) {
@@ -138,30 +137,19 @@ impl Known {
         let plies = table.each(&PLIES, |ply| self.ply(ply));
         let name = name?.0;
         let range = range(table, &name);
-        let web = WrittenWeb {
+        Some(WrittenWeb {
             name,
             places: places?,
             range: range?,
             plies: plies?,
             line: table.line(),
-        };
-        let feet = table.nested(&FOOT, |foot| foot::read(self, foot, &web))?;
-        Some((web, feet.unwrap_or_default()))
+        })
     }
 
     /// A fill; notes problems.
     pub fn fill(&self, table: &Table<'_>) -> Option<WrittenFill> {
         let (name, material) = (table.get(&NAME), self.material(table));
         let bounds = (table.get(&AHEAD_OF), table.get(&AFT_OF));
-        let room = table.get(&ROOM)?;
-        let bounds = match room {
-            Some(_) if table.has(&AHEAD_OF) || table.has(&AFT_OF) => {
-                table.note(&ROOM, &LayupFileProblem::Room);
-                return None;
-            }
-            Some(room) => room.0,
-            None => [bounds.0?, bounds.1?],
-        };
         let angles = (table.get(&FILL_FIBER_ANGLE), table.get(&PLANE_ANGLE));
         let name = name?.0;
         Some(WrittenFill {
@@ -170,7 +158,7 @@ impl Known {
             material: material?,
             fiber_angle: angles.0?.0,
             plane_angle: angles.1?.0,
-            bounds,
+            bounds: [bounds.0?, bounds.1?],
             line: table.line(),
         })
     }

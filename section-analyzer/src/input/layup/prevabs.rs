@@ -99,7 +99,7 @@ fn section<'x>(
         size: None,
         line: None,
         stations: Vec::new(),
-        constants: super::constants(&constants?),
+        constants: super::constants::constants(&constants?),
         unit: 1.0,
         remarks: Vec::new(),
         file: path.display().to_string(),

@@ -189,9 +189,6 @@ pub enum LayupFileProblem {
         /// The web.
         web: String,
     },
-    /// Bounds of a fill in two ways.
-    #[error("a fill has \"room\" beside \"ahead_of\" or \"aft_of\", expected one of both ways")]
-    Room,
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,

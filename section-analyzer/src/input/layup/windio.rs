@@ -155,7 +155,7 @@ fn blade(
         size: None,
         line: tilt.as_ref().map(|tilt| tilt.line.clone()),
         stations: Vec::new(),
-        constants: super::constants(&constants?),
+        constants: super::constants::constants(&constants?),
         unit: 1.0,
         remarks: Vec::new(),
         file,
