@@ -36,7 +36,7 @@ fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a Stabil
 /// of the edgewise whirls \[Hz\] and the mean of their decay \[1/s\]. The model here is the rotor on a shaft
 /// of constant speed, without tower, tilt and wake dynamics, which shift the frequencies by 1 %; the
 /// nacelle changes the damping of both whirls in opposite directions, and less their mean. At these two winds
-/// it is 6 and 2 %; at rated wind and at 25 m/s the models differ more, as the page of the case says.
+/// it is 6 and 2 %; at rated wind and at 25 m/s the models differ more: see the page of the case.
 #[test]
 fn edgewise_whirls_of_iea15_are_the_published_ones() {
     let result = at_winds("iea15", "[6, 13]");

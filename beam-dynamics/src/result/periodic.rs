@@ -27,7 +27,7 @@ pub struct SeenFrequency {
     pub frequency: f64,
     /// Share of the energy [-].
     pub share: f64,
-    /// As [`FloquetMode::shape`], at this frequency.
+    /// As [`FloquetMode::shape`], at this frequency \[any unit\].
     pub shape: Vec<Complex<f64>>,
 }
 

@@ -234,12 +234,8 @@ fn a_propeller_has_the_coefficients_of_the_wind_tunnel() {
         "tunnel.rotor.toml",
         &format!("{text}\n[[schedule]]\nname = \"points\"\nfile = \"tunnel.csv\"\n"),
     );
-    let run = folder.run(&[
-        "performance",
-        "tunnel.rotor.toml",
-        "--no-figures",
-        "--quiet",
-    ]);
+    let options = ["--no-figures", "--quiet"];
+    let run = folder.run(&[&["performance", "tunnel.rotor.toml"][..], &options].concat());
     assert_eq!((run.code, run.err.as_str(), run.out.as_str()), (0, "", ""));
     let found = Rows::of(&folder, "results/tunnel.performance.csv", "points");
     let (ratio, thrust) = (found.column("advance_ratio [-]"), found.column("CT [-]"));

@@ -13,15 +13,20 @@ use crate::periodic::Random;
 /// Growth and frequency of a mode over the parameter.
 type Mode<'a> = &'a dyn Fn(f64) -> [f64; 2];
 
+/// From 0 to 1 in 9 values.
+fn settings(boundaries: bool) -> ScanSettings {
+    ScanSettings {
+        values: (0..9).map(|k| f64::from(k) / 8.0).collect(),
+        boundaries,
+        tolerance: 1e-10,
+    }
+}
+
 /// The scan from 0 to 1 in 9 values of modes called "one" and "two".
 fn scanned(modes: [Mode<'_>; 2], turn: f64) -> Scan {
     let (sin, cos) = turn.sin_cos();
     let shapes = [[cos, sin], [-sin, cos]];
-    let settings = ScanSettings {
-        values: (0..9).map(|k| f64::from(k) / 8.0).collect(),
-        boundaries: true,
-        tolerance: 1e-10,
-    };
+    let settings = settings(true);
     let mut evaluate = |at: f64| {
         let roots = (0..2).map(|k| {
             let [growth, frequency] = modes[k](at);
@@ -97,11 +102,7 @@ fn random_shares_of_the_energy() {
     for _ in 0..300 {
         let rates = [0; 2].map(|_| [1.5 + 0.4 * random.next(), 0.4 * random.next()]);
         let most = [0; 2].map(|_| ((1.5 * (1.0 + random.next())) as usize).min(2));
-        let settings = ScanSettings {
-            values: (0..9).map(|k| f64::from(k) / 8.0).collect(),
-            boundaries: false,
-            tolerance: 1e-10,
-        };
+        let settings = settings(false);
         let seen_at = |k: usize, harmonic: usize, at: f64| {
             let [rate, slope] = rates[k];
             (rate + slope * at + (harmonic as f64 - 1.0) * (4.0 + 2.0 * at)).abs()

@@ -129,10 +129,7 @@ pub(super) fn read(
     let sectors = sectors?.unwrap_or(usual);
     flow.check(table, sectors)?;
     let rotor = RigidRotor {
-        machine: match machine {
-            MachineKind::Turbine => Machine::Turbine,
-            MachineKind::Propeller | MachineKind::Helicopter => Machine::Propeller,
-        },
+        machine: signs(machine),
         blades: count?,
         hub_radius,
         tip_radius,
@@ -146,16 +143,33 @@ pub(super) fn read(
         skewed_wake: momentum.skewed_wake,
         sectors,
     };
-    let rotor = match panels? {
-        Some(count) => rotor.with_panels(count),
-        None => Ok(rotor),
-    };
     Some(Rotor {
         machine,
         shear,
         holds_mach: outside? == 1,
-        rotor: rotor.map_err(|problem| table.note("", &problem)).ok()?,
+        rotor: with_panels(rotor, panels?, table)?,
     })
+}
+
+/// The rotor with a number of panels, if it is to have them.
+fn with_panels(
+    rotor: RigidRotor<Section>,
+    panels: Option<usize>,
+    table: &Table<'_>,
+) -> Option<RigidRotor<Section>> {
+    let found = match panels {
+        Some(count) => rotor.with_panels(count),
+        None => Ok(rotor),
+    };
+    found.map_err(|problem| table.note("", &problem)).ok()
+}
+
+/// The signs of a kind of machine.
+fn signs(machine: MachineKind) -> Machine {
+    match machine {
+        MachineKind::Turbine => Machine::Turbine,
+        MachineKind::Propeller | MachineKind::Helicopter => Machine::Propeller,
+    }
 }
 
 /// The number of panels; `Some(None)` for loads at the stations alone.

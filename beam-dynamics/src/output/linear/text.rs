@@ -11,7 +11,7 @@ const SHOWN: usize = 40;
 /// Digits of numbers.
 const DIGITS: usize = 7;
 /// Round-off of the growth of an eigenvalue, as a part of the largest eigenvalue: some tens of the
-/// round-off of numbers, as the error of all of them is that of the matrix [-].
+/// round-off of numbers, since all of them have the error of the matrix [-].
 const ROUND_OFF: f64 = 1e-14;
 
 /// States, inputs, outputs, gains at rest, and the smallest eigenvalues.
