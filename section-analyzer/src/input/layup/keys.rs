@@ -316,7 +316,7 @@ keys! {
     /// The trailing edge, which the layers of the shell close, or an adhesive.
     EDGE_TABLE = "[trailing_edge]";
     /// Whether layers alone close it, or the adhesive `bond` too.
-    pub(super) CLOSE: usize = "close", [Word(&["auto", "bond"])], or "\"auto\"" = 0, "\"bond\"";
+    pub(super) CLOSE: usize = "close", [Word(&["auto", "bond"])], or "\"auto\"" = 0, "\"auto\"";
     /// The adhesive.
     pub(super) EDGE_BOND: Nested = "bond", [OneTable(&EDGE_BOND_TABLE)], optional, "";
 }
