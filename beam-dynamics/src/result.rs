@@ -28,6 +28,7 @@ pub use linear::{LinearModel, LinearVariable};
 pub use performance::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
 pub use periodic::{
     FloquetMode, FloquetTable, Harmonics, PeriodicPass, PeriodicResult, SeenFrequency, Stability,
+    Stall,
 };
 pub use stability::{
     BoundaryKind, StabilityBoundary, StabilityPoint, StabilityResult, StabilityRoot, StableSide,

@@ -20,18 +20,20 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{Complex, DMatrix, Matrix3};
+use nalgebra::{DMatrix, Matrix3};
 
 use crate::analysis::periodic::record;
 use crate::analysis::transient::{consistent_rates, independent};
-use crate::assembly::{Combination, MasslessMotions, Pattern, Sparse, System, Tangent, Variation};
+use crate::assembly::{Combination, Pattern, Sparse, System, Tangent, Variation};
 use crate::case::{Model, PeriodicSettings};
-use crate::model::{Conditions, NODE_UNKNOWNS, NamingAxes, State};
-use crate::modes::{EigenProblem, MassMatrix, ModeMotion};
-use crate::result::{AcceptedStep, Recorder, Whirl};
-use crate::solver::LinearSolver;
+use crate::model::{Conditions, State};
+use crate::result::{AcceptedStep, Recorder};
 
 mod coordinates;
+mod modes;
+mod support;
+
+pub(super) use modes::{AveragedMode, averaged_modes};
 
 use coordinates::{Coordinates, Factors, NoCoordinates, SlotKind};
 
@@ -41,19 +43,6 @@ const INSTANTS: usize = 24;
 const ROUND_OFF: f64 = 1e-13;
 /// Part of the largest singular value below which a combination of constraints is not determined.
 const DETERMINED: f64 = 1e-10;
-
-/// A mode of the averaged equations.
-#[derive(Debug, Clone)]
-pub(super) struct AveragedMode {
-    /// The eigenvalue, with the frequency in the fixed frame [1/s].
-    pub exponent: Complex<f64>,
-    /// The motion in multiblade coordinates.
-    pub motion: ModeMotion,
-    /// Axes for its name.
-    pub axes: Arc<Vec<NamingAxes>>,
-    /// The pattern of the blades; `None` where they rest.
-    pub whirl: Option<Whirl>,
-}
 
 /// Averaged equations of a model.
 pub(super) struct Averaged {
@@ -91,22 +80,6 @@ pub(super) fn possible(model: &Model) -> Result<(), [String; 2]> {
 fn impossible(problem: NoCoordinates) -> [String; 2] {
     let remedy = "choose by = \"Floquet\", which holds for all rotors";
     [problem.0.to_owned(), remedy.to_owned()]
-}
-
-/// The lowest `count` modes about the periodic motion that begins with a state, and the real
-/// eigenvalues that were found; or the reason why there are none, with a remedy.
-pub(super) fn averaged_modes(
-    model: &Model,
-    settings: &PeriodicSettings,
-    state: &State,
-    count: usize,
-) -> Result<Vec<AveragedMode>, [String; 2]> {
-    let Averaged {
-        model,
-        tangent,
-        coordinates,
-    } = averaged(model, settings, state)?;
-    modes_of(&model, &coordinates, &tangent, count)
 }
 
 /// The averaged equations about the periodic motion that begins with a state; or the reason why there
@@ -383,103 +356,4 @@ fn combination(reference: &Constraints, own: &Constraints) -> Option<DMatrix<f64
     let least = parts.singular_values.min();
     let is_full = least > DETERMINED * parts.singular_values.max();
     is_full.then(|| Some(parts.u? * parts.v_t?))?
-}
-
-/// The modes of averaged equations.
-fn modes_of(
-    model: &Model,
-    coordinates: &Coordinates,
-    tangent: &Tangent,
-    count: usize,
-) -> Result<Vec<AveragedMode>, [String; 2]> {
-    let nodes = model.system.nodes().len();
-    let massless = MasslessMotions::new(&model.system, tangent);
-    let solver = LinearSolver::new(tangent.by_rates.pattern());
-    let problem = EigenProblem::new(&solver, tangent, &massless, 2 * coordinates.count());
-    let problem = problem.ok_or_else(|| {
-        let remedy = "hold all motions by a stiffness, or choose by = \"Floquet\"";
-        let reason = "the averaged equations have a motion without stiffness";
-        [reason.to_owned(), remedy.to_owned()]
-    })?;
-    let lowest = problem.lowest(count);
-    let mass = MassMatrix::new(&tangent.by_rates, nodes);
-    let axes = Arc::new(naming(model, coordinates));
-    let real = lowest.real.iter().map(|value| problem.real_pair(*value));
-    let mode = |pair: crate::modes::Eigenpair| {
-        let motion = ModeMotion::new(&pair, &mass);
-        AveragedMode {
-            exponent: Complex::new(pair.growth, pair.angular_frequency),
-            whirl: whirl(&motion, coordinates),
-            motion,
-            axes: Arc::clone(&axes),
-        }
-    };
-    Ok(lowest.pairs.iter().cloned().chain(real).map(mode).collect())
-}
-
-/// Axes for names: a blade has the axes of its coordinates.
-fn naming(model: &Model, coordinates: &Coordinates) -> Vec<NamingAxes> {
-    let mut axes = model.naming.clone();
-    for (node, axes) in axes.iter_mut().enumerate() {
-        let slot = &coordinates.slots[coordinates.slot_of[NODE_UNKNOWNS * node]];
-        if let Some((blade, _)) = slot.of_blade {
-            let turn = coordinates.blade(blade).transpose();
-            axes.blade = turn * axes.blade;
-            axes.section = turn * axes.section;
-        }
-    }
-    axes
-}
-
-/// The pattern with most of the energy of the blades: of the motion exp(i w t) the coordinates
-/// `(1, -i)` of cosine and sine run with the rotation.
-fn whirl(motion: &ModeMotion, coordinates: &Coordinates) -> Option<Whirl> {
-    let [q, p] = motion.parts();
-    let n = coordinates.count();
-    let waves = (n - 1) / 2;
-    let mut energies = vec![0.0; n];
-    for family in &coordinates.families {
-        let firsts: Vec<_> = family
-            .iter()
-            .map(|slot| coordinates.slots[*slot].first)
-            .collect();
-        let is_motion = |first: &usize| {
-            first / NODE_UNKNOWNS < q.len() / 6 && first % NODE_UNKNOWNS < NODE_UNKNOWNS / 2
-        };
-        if !firsts.iter().all(is_motion) {
-            continue;
-        }
-        let places = firsts
-            .iter()
-            .map(|first| 6 * (first / NODE_UNKNOWNS) + first % NODE_UNKNOWNS);
-        let places: Vec<_> = places.collect();
-        for along in 0..3 {
-            let at = |j: usize| (q[places[j] + along], p[places[j] + along]);
-            let energy = |(q, p): (Complex<f64>, Complex<f64>)| (q.conj() * p).re;
-            energies[0] += energy(at(0));
-            for wave in 0..waves {
-                let [cos, sin] = [at(1 + 2 * wave), at(2 + 2 * wave)];
-                for (place, sign) in [(1 + 2 * wave, 1.0), (2 + 2 * wave, -1.0)] {
-                    let i = Complex::new(0.0, sign);
-                    energies[place] += 0.5 * energy((cos.0 + i * sin.0, cos.1 + i * sin.1));
-                }
-            }
-            if n.is_multiple_of(2) {
-                energies[n - 1] += energy(at(n - 1));
-            }
-        }
-    }
-    let total: f64 = energies.iter().sum();
-    let place = (0..n).max_by(|a, b| energies[*a].total_cmp(&energies[*b]))?;
-    let harmonic = match place {
-        0 => 0,
-        _ if n.is_multiple_of(2) && place == n - 1 => n as i32 / 2,
-        place if place % 2 == 1 => (place as i32 + 1) / 2,
-        place => -(place as i32) / 2,
-    };
-    (total > 0.0).then(|| Whirl {
-        harmonic,
-        blades: n,
-        share: energies[place] / total,
-    })
 }

@@ -18,6 +18,24 @@ const LEAST: f64 = 1e-9;
 /// Part of a singular vector from which a control has a part in it.
 const TAKES_PART: f64 = 0.3;
 
+/// A response with rows and columns of largest entry one, where there are others than zeros: without the
+/// units of controls and targets.
+pub(super) fn balanced(mut response: DMatrix<f64>) -> DMatrix<f64> {
+    for mut row in response.row_iter_mut() {
+        let largest = row.amax();
+        if largest > 0.0 {
+            row /= largest;
+        }
+    }
+    for mut column in response.column_iter_mut() {
+        let largest = column.amax();
+        if largest > 0.0 {
+            column /= largest;
+        }
+    }
+    response
+}
+
 /// Why controls (columns of the response) do not determine targets (rows), as text, given the response
 /// and its relative errors; `None` if they do.
 pub(super) fn idle(
@@ -79,6 +97,17 @@ mod tests {
         });
         let response = DMatrix::from_row_slice(2, 2, rows);
         idle((&response, errors), &controls, &targets)
+    }
+
+    // A force in N and a coefficient by an angle in degrees: regular, but not in these units.
+    #[test]
+    fn balanced_responses_have_no_units() {
+        let rows = [1e4, 2e4, 1e-3, -1e-3];
+        let response = balanced(DMatrix::from_row_slice(2, 2, &rows));
+        assert!(response.amax() == 1.0 && text(response.transpose().as_slice()).is_none());
+        let same = balanced(DMatrix::from_row_slice(2, 2, &[1e4, 2e4, 1e-3, 2e-3]));
+        assert!(text(same.transpose().as_slice()).is_some());
+        assert_eq!(balanced(DMatrix::zeros(2, 2)), DMatrix::zeros(2, 2));
     }
 
     // Columns of zeros and columns in proportion; a regular response of small numbers is none of these.

@@ -14,9 +14,10 @@ use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
 use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::State;
-use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder};
+use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder, Stall};
 use crate::solver::Largest;
 
+mod approach;
 mod border;
 mod content;
 mod failure;
@@ -28,6 +29,7 @@ mod passes;
 mod pilot;
 mod shooting;
 mod sizes;
+mod stall;
 
 pub use failure::PeriodicFailure;
 
@@ -96,6 +98,7 @@ pub(super) fn periodic_watched(
         controls: Vec::new(),
         targets: Vec::new(),
         floquet: None,
+        stall: None,
         remarks: Vec::new(),
     };
     let mut state = from.cloned();
@@ -153,17 +156,14 @@ fn find(
         &mut Passes::new(&mut result.passes, watch),
     );
     result.periods = flow.periods;
-    let names = settings.controls.iter().map(|control| control.name.clone());
-    result.controls = names.zip(border.values(state)).collect();
+    result.controls = controls_at(&border, settings, state);
     result.targets = last_reached(&result.passes);
-    let found = found?;
+    let first = found.as_ref().map_or(&*state, Found::first);
+    result.stall = stall_of(&mut flow, &shooting, first);
+    let found = found.map_err(|failure| failure.with_stall(result.stall))?;
     result.is_periodic = true;
     state.copy_from(found.first());
-    result
-        .controls
-        .iter_mut()
-        .zip(border.values(state))
-        .for_each(|(own, value)| own.1 = value);
+    result.controls = controls_at(&border, settings, state);
     result.targets = border.reached(found.end());
     result.floquet = stability(&shooting, &mut flow, found)?;
     Ok(())
@@ -192,7 +192,7 @@ fn search(
         }
         (PeriodicMethod::Shooting, None) => {
             settled(shooting, flow, (state, settle))?;
-            let orbit = shooting.solve(flow, state, passes)?;
+            let orbit = approach::approach(shooting, flow, state, passes)?;
             Ok(Found::Shot(Box::new(orbit)))
         }
         (PeriodicMethod::March, None) => {
@@ -317,6 +317,29 @@ fn accepted<'a>(passed: &Passed<'a>) -> AcceptedStep<'a> {
         state: passed.state,
         conditions: passed.conditions,
     }
+}
+
+/// Names and values of the controls at a state.
+fn controls_at(border: &Border, settings: &PeriodicSettings, state: &State) -> Vec<(String, f64)> {
+    let names = settings.controls.iter().map(|control| control.name.clone());
+    names.zip(border.values(state)).collect()
+}
+
+/// Stall of the blades in the period that begins with a state, as far as it can be integrated, if there
+/// are controls.
+fn stall_of(flow: &mut Flow<'_>, shooting: &Shooting<'_>, state: &State) -> Option<Stall> {
+    if shooting.border.count() == 0 {
+        return None;
+    }
+    let mut sum = stall::StallSum::new(&shooting.model.system);
+    let periods = flow.periods;
+    // A period that fails has shown the states before.
+    let _whole = flow.run(state, &mut |passed| {
+        sum.add(passed.state, passed.conditions);
+        true
+    });
+    flow.periods = periods;
+    sum.found()
 }
 
 /// The multipliers, if they are requested.

@@ -39,6 +39,8 @@ pub fn stability(
     of_scan.tolerance = settings.tolerance * of_scan.range();
     let mut source = Source::new(settings, trim, read);
     let found = scan(&of_scan, &mut |at| source.roots(at));
+    let mut remarks = found.remarks;
+    remarks.extend(source.remark());
     let mut points = found.points;
     for point in &mut points {
         point.controls = source.controls(point.at);
@@ -63,6 +65,6 @@ pub fn stability(
         points,
         boundaries: found.boundaries,
         failures: found.failures,
-        remarks: found.remarks,
+        remarks,
     }
 }

@@ -11,7 +11,7 @@ use shared_geom::error::{Diagnostics, counted};
 use crate::analysis::effects;
 use crate::analysis::periodic::periodic_watched;
 use crate::analysis::statics::{point, static_step};
-use crate::case::{Model, TrimControl, TrimMethod, TrimSettings};
+use crate::case::{Model, Sweep, TrimControl, TrimMethod, TrimSettings};
 use crate::input::{Input, short_number};
 use crate::model::State;
 use crate::result::{PeriodicPass, PeriodicResult, StaticResult, TrimPoint, TrimResult};
@@ -122,6 +122,7 @@ pub fn trim_watched(
             .collect();
         let (point, last) = search.point(at, &mut of_point);
         let is_met = point.failure.is_none();
+        result.remarks.extend(stalled(sweep.zip(at), last.as_ref()));
         result.points.push(point);
         end = last.or(end);
         search.from = end.as_ref().and_then(|end| end.state.clone());
@@ -130,6 +131,18 @@ pub fn trim_watched(
         }
     }
     TrimOutcome { result, end }
+}
+
+/// Stall at a point, as a remark.
+fn stalled(at: Option<(&Sweep, f64)>, end: Option<&TrimEnd>) -> Option<String> {
+    let Some(Trimmed::Periodic(found)) = &end?.found else {
+        return None;
+    };
+    let place = at.map_or_else(String::new, |(sweep, value)| {
+        format!("at {} = {}: ", sweep.parameter, short_number(value, 9))
+    });
+    let text = found.stall.filter(|own| own.part > 0.0)?.text();
+    Some(format!("{place}{text}"))
 }
 
 /// The result of a trim before its first point.

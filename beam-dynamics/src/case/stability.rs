@@ -1,6 +1,6 @@
 //! The requested stability over a parameter.
 
-use super::Sweep;
+use super::{Sweep, Words};
 
 /// The motion whose stability is analyzed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,4 +26,6 @@ pub struct StabilitySettings {
     pub tolerance: f64,
     /// Number of roots, the least damped first; `None`: as many as the method gives.
     pub count: Option<usize>,
+    /// Words for the motion of blades; `None`: of the requested modes, or else of rotors.
+    pub words: Option<Words>,
 }

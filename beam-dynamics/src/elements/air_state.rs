@@ -65,6 +65,8 @@ pub struct AirState {
     pub position: Vector3<f64>,
     /// Flow, coefficients and loads per length.
     pub flow: StripReport,
+    /// Part of the chord along which static flow at the angle of attack is attached [-].
+    pub attached: f64,
     /// Force per length around the shaft, positive in the direction of rotation; without a rotor
     /// along the chord, toward the leading edge [N/m].
     pub tangential: f64,

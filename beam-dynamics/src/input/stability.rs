@@ -10,6 +10,7 @@ use super::rotor_speed::RPM;
 use super::sweep::{self, FROM, PARAMETER, STEPS, TO, VALUES};
 use crate::case::{
     ModesSettings, PeriodicSettings, StabilityMethod, StabilitySettings, TrimMethod, TrimSettings,
+    Words,
 };
 
 /// Largest number of roots: the dimension of the space of multipliers.
@@ -28,8 +29,12 @@ keys! {
     /// Largest error of a boundary, as a part of the range of the values.
     TOLERANCE: f64 = "tolerance", [Positive(Dimension::NUMBER)], or "1e-8" = 1e-8, "1e-6";
     /// Roots, the least damped first; a pair counts as two. Without it: the modes of `[modes]`,
-    /// or all multipliers larger than 0.9 and at least ten.
+    /// all multipliers larger than 0.9 and at least ten, or of averaged equations the twenty lowest
+    /// oscillations and all other roots that were found and decay by less than a factor exp(2 pi) in
+    /// a revolution.
     ROOTS: Option<usize> = "count", [Count(MOST)], optional, "12";
+    /// Words in the names of modes: lag, progressive, regressive; or edge, forward, backward.
+    WORDS: Option<usize> = "words", [Word(&Words::NAMES)], or "the words of `[modes]`", "\"wind\"";
     with PARAMETER.schema, VALUES.schema, FROM.schema, TO.schema, STEPS.schema;
 }
 
@@ -126,6 +131,7 @@ pub(super) fn read(root: &Table<'_>, others: Others<'_>) -> Option<Option<Stabil
     let table = root.table("stability")?;
     let (by, boundaries) = (table.get(&BY), table.get(&BOUNDARIES));
     let (tolerance, count) = (table.get(&TOLERANCE), table.get(&ROOTS));
+    let words = table.get(&WORDS);
     let sweep = sweep::read(&table);
     table.finish();
     let settings = StabilitySettings {
@@ -138,6 +144,7 @@ pub(super) fn read(root: &Table<'_>, others: Others<'_>) -> Option<Option<Stabil
         boundaries: boundaries?,
         tolerance: tolerance?,
         count: count?,
+        words: words?.map(|k| Words::ALL[k]),
     };
     let problem = of_values(&settings).or_else(|| of_others(&settings, others));
     if let Some((key, problem)) = problem {

@@ -118,6 +118,30 @@ pub struct FloquetTable {
     pub states: Option<usize>,
 }
 
+/// Stall of the strips of a motion with at least 0.3 of the largest speed of the instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stall {
+    /// Their angle of attack of largest magnitude [rad].
+    pub largest_angle: f64,
+    /// Part of these strips, over all instants, that are beyond stall [-].
+    pub part: f64,
+}
+
+impl Stall {
+    /// As text.
+    pub fn text(&self) -> String {
+        let strips = match self.part {
+            0.0 => "no strip of the blades is".to_owned(),
+            part => format!("{:.1} % of the strips of the blades are", 100.0 * part),
+        };
+        format!(
+            "{strips} beyond stall (less than 0.7 of the chord with attached flow) over the period, at \
+             angles of attack up to {:.1} deg",
+            self.largest_angle.to_degrees()
+        )
+    }
+}
+
 /// The result of a periodic motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeriodicResult {
@@ -141,6 +165,8 @@ pub struct PeriodicResult {
     pub targets: Vec<f64>,
     /// Multipliers, if requested.
     pub floquet: Option<FloquetTable>,
+    /// Stall of the blades in the motion with the controls, if there are controls and strips.
+    pub stall: Option<Stall>,
     /// Remarks.
     pub remarks: Vec<String>,
 }

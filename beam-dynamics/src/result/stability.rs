@@ -15,6 +15,9 @@ pub struct StabilityRoot {
     pub kind: BoundaryKind,
     /// Growth up to which it is treated as zero: round-off and error of the steps [1/s].
     pub doubt: f64,
+    /// Estimated error of the exponent by the steps of the period; `None` if there is no estimate
+    /// [1/s].
+    pub error: Option<f64>,
     /// Whether it is the free choice of the azimuth or of the time.
     pub is_neutral: bool,
     /// Share of the energy at the frequency [-].
@@ -25,6 +28,8 @@ pub struct StabilityRoot {
     pub others: Vec<SeenFrequency>,
     /// The motion as text.
     pub name: String,
+    /// The least number of the mode among all modes of its name, from one.
+    pub number: usize,
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
     /// of one name are numbered behind it.
     pub pattern: Option<String>,
@@ -47,11 +52,13 @@ impl StabilityRoot {
                 BoundaryKind::Flutter
             },
             doubt: 0.0,
+            error: None,
             is_neutral: false,
             share: 1.0,
             fundamental: 0.0,
             others: Vec::new(),
             name: String::new(),
+            number: 1,
             pattern: None,
             waves: None,
             shape: [Vec::new(), Vec::new()],
@@ -71,6 +78,12 @@ impl StabilityRoot {
     /// Damping ratio; `None` at frequency zero.
     pub fn damping_ratio(&self) -> Option<f64> {
         (self.exponent.im != 0.0).then(|| -self.exponent.re / self.exponent.norm())
+    }
+
+    /// Whether its growth is larger than twice its estimated error.
+    pub fn is_resolved(&self) -> bool {
+        let error = self.error.unwrap_or(0.0);
+        self.is_neutral || self.growth().abs() >= 2.0 * error
     }
 
     /// Whether it grows.

@@ -16,6 +16,7 @@ use super::{
     ActingAir, FLOW, INDUCED, INPUTS, LOADS, SLOW, STATES, Strip, StripFlow, StripJacobian, plane,
 };
 use crate::real::{Real, angle};
+use crate::unsteady::Polar;
 
 /// Flow and loads of a strip.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -64,6 +65,12 @@ impl Strip {
         let outputs = self.evaluate(air, flow, states, rates);
         let loads = outputs.first_chunk().copied().unwrap_or_default();
         self.report_of(air, &StripFlow::from_numbers(flow), states, loads)
+    }
+
+    /// The part of the chord, from 0 to 1, along which static flow at an angle of attack \[rad\] is
+    /// attached.
+    pub fn attached(&self, alpha: f64) -> f64 {
+        self.polar.attached(alpha)
     }
 
     /// A number of the report, and its derivatives by the inputs of the strip in the order of

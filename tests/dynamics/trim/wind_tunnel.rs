@@ -36,8 +36,8 @@ fn rotor(advance: f64) -> Flapping {
 }
 
 // Three blades with a state of the inflow at three advance ratios, against controls and exponents of
-// an ODE in minimal coordinates (`theory-periodic/trim_flap.json`): controls to 1e-8, multipliers by
-// exponents to 1e-7, at most five iterations from a start without cyclic pitch. A sweep over the
+// an ODE in minimal coordinates (`theory-periodic/trim_flap.json`): controls to 1e-8, exponents
+// to 1e-7, at most five iterations from a start without cyclic pitch. A sweep over the
 // advance ratio would hide a wrong start: each begins anew.
 #[test]
 fn thrust_and_flapping_of_three_blades() {
@@ -70,7 +70,8 @@ fn thrust_and_flapping_of_three_blades() {
             let pair = numbers(exponent);
             let expected = (Complex::new(pair[0], pair[1].abs()) * TAU).exp();
             let modes = motion.floquet.as_ref().unwrap().modes.iter();
-            let off = |mu: Complex<f64>| (mu - expected).norm().min((mu.conj() - expected).norm());
+            let of = |mu: Complex<f64>| (mu / expected).ln().norm() / TAU;
+            let off = |mu: Complex<f64>| of(mu).min(of(mu.conj()));
             let least = modes
                 .map(|mode| off(mode.multiplier))
                 .fold(f64::INFINITY, f64::min);

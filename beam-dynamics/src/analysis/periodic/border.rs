@@ -10,15 +10,22 @@
 //! -(M d)_I / T = I(T)/T - target     (rows of the controls)                          (D-205)
 //! d_I = 0                            (rows of the integrals)
 //! ```
+//!
+//! Controls that are held have the rows `d_u = 0`.
 
 use nalgebra::DMatrix;
 
 use super::failure::PeriodicFailure;
 use crate::analysis::effects;
 use crate::case::{Model, PeriodicSettings, TrimControl, TrimTarget};
+use crate::input::short_number;
 use crate::model::State;
 
+/// Change of a control in its scales above which a correction may be one of singular equations.
+const SUSPICIOUS: f64 = 1e3;
+
 /// The unknowns of the controls and integrals.
+#[derive(Clone)]
 pub(super) struct Border {
     /// Unknowns of the controls.
     controls: Vec<usize>,
@@ -29,6 +36,8 @@ pub(super) struct Border {
     /// The first scalar among the unknowns.
     first: usize,
     period: f64,
+    /// Whether the controls keep their values, and the targets are left open.
+    is_held: bool,
 }
 
 impl Border {
@@ -59,7 +68,36 @@ impl Border {
             of_targets: settings.targets.clone(),
             first,
             period: settings.period,
+            is_held: false,
         })
+    }
+
+    /// The same with controls that keep their values: `d_u = 0` in place of the targets.
+    pub fn held(&self) -> Self {
+        Self {
+            is_held: true,
+            ..self.clone()
+        }
+    }
+
+    /// The same with targets at a `part` of the way from given means to their values.
+    pub fn partly(&self, from: &[f64], part: f64) -> Self {
+        let mut border = self.clone();
+        for (target, from) in border.of_targets.iter_mut().zip(from) {
+            target.value = from + part * (target.value - from);
+        }
+        border
+    }
+
+    /// The targets that means differ from by a part of their scales, with both, as text.
+    pub fn differences(&self, means: &[f64], part: f64) -> String {
+        let pairs = self.of_targets.iter().zip(means);
+        let far = pairs.filter(|(own, mean)| (*mean - own.value).abs() > part * own.scale);
+        let texts = far.map(|(own, mean)| {
+            let [mean, value] = [*mean, own.value].map(|value| short_number(value, 4));
+            format!("\"{}\" = {mean} in place of {value}", own.name)
+        });
+        texts.collect::<Vec<_>>().join(", ")
     }
 
     /// All their unknowns: those without a part in the modes.
@@ -114,7 +152,12 @@ impl Border {
     /// Replaces the rows of controls and integrals in the residual `y(T) - y(0)`.
     pub fn complete(&self, residual: &mut [f64], end: &State) {
         for (u, integral, target) in self.pairs() {
-            residual[u] = end.scalars[integral - self.first] / self.period - target.value;
+            let mean = end.scalars[integral - self.first] / self.period;
+            residual[u] = if self.is_held {
+                0.0
+            } else {
+                mean - target.value
+            };
         }
         self.integrals.iter().for_each(|i| residual[*i] = 0.0);
     }
@@ -122,7 +165,8 @@ impl Border {
     /// Replaces them in the product `d - M d`, given d and `M d`.
     pub fn product(&self, [d, later]: [&[f64]; 2], product: &mut [f64]) {
         for (u, integral, _) in self.pairs() {
-            product[u] = -later[integral] / self.period;
+            let change = -later[integral] / self.period;
+            product[u] = if self.is_held { d[u] } else { change };
         }
         self.integrals.iter().for_each(|i| product[*i] = d[*i]);
     }
@@ -176,6 +220,13 @@ impl Border {
         let values = self.values(state);
         let mut own = self.of_controls.iter().zip(values);
         own.find(|(control, value)| control.bounds.contains(value))
+    }
+
+    /// Whether a correction `d` changes a control by so much that the controls may not determine the
+    /// targets.
+    pub fn is_suspicious(&self, d: &[f64]) -> bool {
+        let mut all = self.controls.iter().zip(&self.of_controls);
+        all.any(|(u, control)| d[*u].abs() > SUSPICIOUS * control.scale)
     }
 
     /// Why the controls do not determine the targets, from the response of the means (rows, of size

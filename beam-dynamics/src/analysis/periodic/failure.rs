@@ -5,6 +5,7 @@ use shared_geom::error::counted;
 use crate::analysis::transient::TransientFailure;
 use crate::case::TrimControl;
 use crate::integrator::StepFailure;
+use crate::result::Stall;
 
 /// Reason why no periodic motion was found.
 #[derive(Debug, thiserror::Error)]
@@ -57,6 +58,21 @@ pub enum PeriodicFailure {
         controls: String,
         /// The step that fails beyond them.
         step: Box<StepFailure>,
+    },
+    /// Targets that grow from the means with the first guesses are met up to a part of the way only.
+    #[error(
+        "{first}; targets that change from their values at the first guess are met up to {reached}, \
+         with {controls}{stall}"
+    )]
+    Limited {
+        /// The failure of the search without growing targets.
+        first: Box<PeriodicFailure>,
+        /// The last values of the targets, as text.
+        reached: String,
+        /// The controls with their values there, as text.
+        controls: String,
+        /// Stall there as text, perhaps empty.
+        stall: String,
     },
     /// The equations of the shooting are singular.
     #[error("the equations of the periodic motion are singular: {reason}")]
@@ -128,6 +144,27 @@ impl PeriodicFailure {
         }
     }
 
+    /// The failure with stall at the last motion of growing targets.
+    pub(super) fn with_stall(self, found: Option<Stall>) -> Self {
+        match (self, found) {
+            (
+                Self::Limited {
+                    first,
+                    reached,
+                    controls,
+                    ..
+                },
+                Some(found),
+            ) => Self::Limited {
+                first,
+                reached,
+                controls,
+                stall: format!("; there {}", found.text()),
+            },
+            (failure, _) => failure,
+        }
+    }
+
     /// The likeliest remedy.
     pub fn remedy(&self) -> String {
         let text = match self {
@@ -154,7 +191,7 @@ impl PeriodicFailure {
                 "start nearer to the periodic motion: start = \"rotating\", or a larger \
                  \"settle\"; check that the period is a multiple of all periods of drives and rotors"
             }
-            Self::Unreached { .. } => {
+            Self::Unreached { .. } | Self::Limited { .. } => {
                 "require values of the targets that the model can reach (stall limits thrust), or give \
                  first guesses nearer to them"
             }

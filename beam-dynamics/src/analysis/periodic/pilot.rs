@@ -10,6 +10,9 @@
 //!
 //! with tau and 1/G in periods. The integral over a step is exact, so that the targets need no sensors
 //! of their own. A control is constant within a step.
+//!
+//! The controls do not rest, and keep weakly damped motions of the blades alive. Where the change of the
+//! motion no longer falls, Newton's method finds the end.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,6 +24,11 @@ use crate::analysis::effects;
 use crate::case::AutoPilot;
 use crate::model::State;
 use crate::result::PeriodicPass;
+
+/// Periods in which the change must fall to less than [`SLOW`] of the one before.
+const RECENT: usize = 10;
+/// See [`RECENT`] \[-\].
+const SLOW: f64 = 0.5;
 
 /// The filter and the controls.
 struct Pilot<'a> {
@@ -104,6 +112,10 @@ pub(super) fn pilot(
         if part <= settings.tolerance {
             return Ok([first, state.clone()]);
         }
+        if is_slow(passes.list()) && border.at_bound(state).is_none() {
+            let orbit = shooting.solve(flow, state, passes)?;
+            return Ok([orbit.state, orbit.end]);
+        }
         if passes.list().len() >= shooting.settings.periods || !part.is_finite() {
             return Err(match border.at_bound(state) {
                 Some((control, bound)) => PeriodicFailure::bound(control, bound, worst),
@@ -114,4 +126,17 @@ pub(super) fn pilot(
             });
         }
     }
+}
+
+/// Whether the smallest change of the last periods is not much smaller than the one of the periods before.
+fn is_slow(passes: &[PeriodicPass]) -> bool {
+    let least = |passes: &[PeriodicPass]| {
+        let changes = passes.iter().map(|pass| pass.residual);
+        changes.fold(f64::INFINITY, f64::min)
+    };
+    let Some(start) = passes.len().checked_sub(2 * RECENT) else {
+        return false;
+    };
+    let (before, last) = passes[start..].split_at(RECENT);
+    least(last) > SLOW * least(before)
 }

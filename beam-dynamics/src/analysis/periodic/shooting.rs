@@ -27,8 +27,9 @@ use crate::solver::{Gmres, gmres};
 const TOLERANCE: f64 = 1e-8;
 /// Residual above which a correction is none [-].
 const SINGULAR: f64 = 1e-3;
-/// Largest rotation of a correction [rad].
-const FARTHEST: f64 = 0.3;
+/// Largest rotation of a correction, without and with controls: these turn blades, whose lift has its
+/// slope up to stall only [rad].
+const FARTHEST: [f64; 2] = [0.3, 0.15];
 /// Largest number of products of a correction.
 const MOST: usize = 400;
 /// Iterations in which a control would leave the bound at which it is, after which it is given up.
@@ -146,6 +147,7 @@ impl Shooting<'_> {
                 return Err(self.singular(map, worst));
             };
             let mut d: Vec<_> = found.x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
+            self.check_controls(map, &d)?;
             let applied = self.part(&d);
             d.iter_mut().for_each(|d| *d *= applied);
             if let Some(pass) = passes.last_mut() {
@@ -236,8 +238,9 @@ impl Shooting<'_> {
         let largest = turns
             .flat_map(|node| &node[3..6])
             .fold(0.0_f64, |a, b| a.max(b.abs()));
-        if largest > FARTHEST {
-            FARTHEST / largest
+        let farthest = FARTHEST[usize::from(self.border.count() > 0)];
+        if largest > farthest {
+            farthest / largest
         } else {
             1.0
         }
@@ -262,6 +265,22 @@ impl Shooting<'_> {
         let idle = response.and_then(|response| self.border.idle(&response, effects::BY_PRODUCTS));
         let reason = idle.unwrap_or_else(|| format!("nothing determines {name}"));
         PeriodicFailure::Singular { reason }
+    }
+
+    /// Checks that the controls determine the targets, in whatever units both are, if a correction `d` of
+    /// them is large.
+    fn check_controls(&self, map: &PeriodMap, d: &[f64]) -> Result<(), PeriodicFailure> {
+        let is_large = self.border.is_suspicious(d);
+        let Some(response) = is_large.then(|| self.response(map)).flatten() else {
+            return Ok(());
+        };
+        let errors = effects::BY_PRODUCTS;
+        let reason = self.border.idle(&response, errors);
+        let balanced = self.border.idle(&effects::balanced(response), errors);
+        match reason.filter(|_| balanced.is_some()) {
+            Some(reason) => Err(PeriodicFailure::Singular { reason }),
+            None => Ok(()),
+        }
     }
 
     /// The change of the means in the periodic motion by each control of unit size.

@@ -139,7 +139,7 @@ fn continued(
     }
 }
 
-/// A name that no mode has.
+/// A name that no mode has, from the number of the root on.
 fn new_name(names: &[String], root: &StabilityRoot) -> String {
     let stem = &root.name;
     let numbered = |number: usize| match (&root.pattern, number) {
@@ -148,7 +148,7 @@ fn new_name(names: &[String], root: &StabilityRoot) -> String {
         (None, 1) => stem.clone(),
         (None, _) => format!("{stem} ({number})"),
     };
-    let mut numbers = (1..).map(numbered);
+    let mut numbers = (root.number..).map(numbered);
     numbers
         .find(|name| !names.contains(name))
         .unwrap_or_else(|| stem.clone())

@@ -10,15 +10,12 @@ use crate::analysis::modes::modes_about;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{Equilibrium, equilibrium};
 use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
-use crate::case::{
-    FloquetSettings, ModesSettings, StabilityMethod, StabilitySettings, TrimSettings, Words,
-};
-use crate::input::Input;
+use crate::case::{FloquetSettings, StabilityMethod, StabilitySettings, TrimSettings, Words};
+use crate::input::{Input, short_number};
 use crate::model::State;
 use crate::modes::ModeMotion;
 use crate::result::{
-    BoundaryKind, FloquetMode, FloquetTable, ModeKind, ModePoint, PeriodicResult, StabilityRoot,
-    Whirl,
+    BoundaryKind, FloquetMode, FloquetTable, ModePoint, PeriodicResult, StabilityRoot, Whirl,
 };
 use crate::solver::LinearSolver;
 
@@ -52,6 +49,9 @@ pub(super) struct Source<'a> {
     known: Vec<Known>,
     /// Number of multipliers to compute.
     count: usize,
+    /// Least frequency up to which the oscillations of averaged equations are complete, if others
+    /// may be above it [rad/s].
+    complete_to: Option<f64>,
 }
 
 impl<'a> Source<'a> {
@@ -66,7 +66,16 @@ impl<'a> Source<'a> {
             read,
             known: Vec::new(),
             count: settings.count.unwrap_or(COMPUTED[0]),
+            complete_to: None,
         }
+    }
+
+    /// The bound of the search by averaged equations as a remark, if there is one.
+    pub fn remark(&self) -> Option<String> {
+        let hertz = short_number(self.complete_to? / TAU, 4);
+        Some(format!(
+            "the oscillations are complete up to {hertz} Hz: a larger \"count\" moves this bound"
+        ))
     }
 
     /// Values of the controls at a value that was evaluated.
@@ -112,10 +121,10 @@ impl<'a> Source<'a> {
 
     /// The trimmed model at a value, its state and the controls.
     fn trimmed(&mut self, at: f64, trim: &TrimSettings) -> Result<(Input, Trimmed), Failed> {
-        let count = self.multipliers();
+        let requested = (self.multipliers(), self.is_requested(at));
         let read = |given: &[(String, f64)]| -> Result<Input, Diagnostics> {
             let mut input = (self.read)(given)?;
-            analyze_period(&mut input, count);
+            analyze_period(&mut input, requested);
             Ok(input)
         };
         let near = self.nearest(at);
@@ -136,6 +145,17 @@ impl<'a> Source<'a> {
     /// Number of multipliers of a periodic motion that are found.
     fn multipliers(&self) -> Option<usize> {
         matches!(self.settings.method, StabilityMethod::Floquet).then_some(self.count)
+    }
+
+    fn is_requested(&self, at: f64) -> bool {
+        self.settings.sweep.values.contains(&at)
+    }
+
+    /// Whether errors of multipliers count as doubt of their growth: if the file requests the estimate.
+    fn counts_errors(&self, at: f64) -> Result<bool, Failed> {
+        let input = self.input(at)?;
+        let own = input.periodic.and_then(|own| own.floquet);
+        Ok(own.is_some_and(|own| own.estimates_error))
     }
 
     fn input(&self, at: f64) -> Result<Input, Failed> {
@@ -180,7 +200,8 @@ impl<'a> Source<'a> {
             let remedy = "hold the motion by a stiffness, or choose other values of the parameter";
             [failure.to_string(), remedy.to_owned()]
         })?;
-        let root = |(point, motion): &(ModePoint, ModeMotion)| root(point, motion, speed, settings);
+        let words = self.settings.words.unwrap_or(settings.style.words);
+        let root = |(point, motion): &(ModePoint, ModeMotion)| root(point, motion, speed, words);
         Ok(found.iter().map(root).collect())
     }
 
@@ -229,7 +250,7 @@ impl<'a> Source<'a> {
                 || self.count >= COMPUTED[1]
                 || shows_all(&table, self.count);
             if is_complete {
-                return Ok(self.shown(&table, period));
+                return Ok(self.shown(&table, period, self.counts_errors(at)?));
             }
             self.count = (2 * self.count).min(COMPUTED[1]);
         }
@@ -246,15 +267,24 @@ impl<'a> Source<'a> {
         let known = self.known.iter().find(|known| known.at == at);
         let both = input.periodic.as_ref().zip(known);
         let (settings, known) = both.ok_or_else(|| nothing("there is no periodic motion"))?;
-        let count = self.settings.count.unwrap_or(COMPUTED[0]);
-        let found = averaged_modes(&input.model, settings, &known.state, count)?;
-        Ok(found.iter().map(averaged_root).collect())
+        let style = input.modes.as_ref().map(|own| own.style.words);
+        let words = self.settings.words.or(style).unwrap_or_default();
+        let wanted = COMPUTED[0].max(self.settings.count.unwrap_or(0));
+        let found = averaged_modes(&input.model, settings, &known.state, (wanted, words))?;
+        let is_counted = self.settings.count.is_some();
+        if let Some(last) = found.complete_to {
+            let known = self.complete_to.unwrap_or(f64::INFINITY);
+            self.complete_to = Some(known.min(last));
+        }
+        let mut modes = found.modes;
+        modes.retain(|mode| is_counted || mode.oscillates || mode.is_slow);
+        Ok(averaged_roots(&modes, words))
     }
 
     /// The periodic motion from the nearest known one, or from the start of the file.
     fn periodic(&mut self, at: f64) -> Result<PeriodicResult, Failed> {
         let mut input = self.input(at)?;
-        analyze_period(&mut input, self.multipliers());
+        analyze_period(&mut input, (self.multipliers(), self.is_requested(at)));
         let settings = input
             .periodic
             .as_ref()
@@ -276,7 +306,7 @@ impl<'a> Source<'a> {
     }
 
     /// The roots of the large multipliers, or all if their number is given.
-    fn shown(&self, table: &FloquetTable, period: f64) -> Vec<StabilityRoot> {
+    fn shown(&self, table: &FloquetTable, period: f64, doubts: bool) -> Vec<StabilityRoot> {
         let mut sum = 0;
         let modes = table.modes.iter().filter(|mode| {
             let is_shown =
@@ -284,18 +314,20 @@ impl<'a> Source<'a> {
             sum += roots_of(mode);
             is_shown
         });
-        modes.map(|mode| root_of_period(mode, period)).collect()
+        let root = |mode| root_of_period(mode, period, doubts);
+        modes.map(root).collect()
     }
 }
 
-/// Requests `count` multipliers of the periodic motion, or none.
-fn analyze_period(input: &mut Input, count: Option<usize>) {
+/// Requests `count` multipliers of the periodic motion, or none, with errors at requested values unless the
+/// file omits them.
+fn analyze_period(input: &mut Input, (count, is_requested): (Option<usize>, bool)) {
     if let Some(settings) = &mut input.periodic {
         let own = settings.floquet.take();
         settings.floquet = count.map(|count| FloquetSettings {
             count,
             near: own.as_ref().map_or_else(Vec::new, |own| own.near.clone()),
-            estimates_error: own.is_some_and(|own| own.estimates_error),
+            estimates_error: own.map_or(is_requested, |own| own.estimates_error),
         });
     }
 }
@@ -317,13 +349,7 @@ fn nothing(reason: &str) -> Failed {
 }
 
 /// A mode of the turning frame, as seen from the fixed frame.
-fn root(
-    point: &ModePoint,
-    motion: &ModeMotion,
-    speed: f64,
-    settings: &ModesSettings,
-) -> StabilityRoot {
-    let words: Words = settings.style.words;
+fn root(point: &ModePoint, motion: &ModeMotion, speed: f64, words: Words) -> StabilityRoot {
     let whirl = point.whirl.filter(Whirl::is_pure);
     let seen = whirl.map_or(point.frequency, |whirl| {
         whirl.in_fixed_system(point.frequency, speed / TAU).0
@@ -351,13 +377,27 @@ fn root(
     }
 }
 
-/// A mode of averaged equations; its frequency is the one in the fixed frame.
-fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
-    let shares = mode.motion.shares(&mode.axes);
+/// Modes of averaged equations; their frequencies are the ones in the fixed frame. Each has its number
+/// among all of its name, by ascending frequency.
+fn averaged_roots(modes: &[AveragedMode], words: Words) -> Vec<StabilityRoot> {
+    let mut roots: Vec<_> = modes
+        .iter()
+        .map(|mode| averaged_root(mode, words))
+        .collect();
+    roots.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    for index in 0..roots.len() {
+        let own = &roots[index];
+        let is_alike =
+            |root: &&StabilityRoot| (&root.name, &root.pattern) == (&own.name, &own.pattern);
+        let number = 1 + roots[..index].iter().filter(is_alike).count();
+        roots[index].number = number;
+    }
+    roots
+}
+
+fn averaged_root(mode: &AveragedMode, words: Words) -> StabilityRoot {
     let whirl = mode.whirl.filter(Whirl::is_pure);
-    let tower = ModeKind::of_tower(mode.motion.of_tower(&mode.axes));
-    let pattern = whirl.filter(|_| tower.is_none());
-    let pattern = pattern.map_or_else(String::new, |w| format!(" {}", w.word()));
+    let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
     let is_real = mode.exponent.im == 0.0;
     StabilityRoot {
         doubt: if is_real {
@@ -365,7 +405,7 @@ fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
         } else {
             ROUND_OFF * mode.exponent.norm()
         },
-        name: tower.unwrap_or(ModeKind::of(&shares)).word().to_owned(),
+        name: mode.name.clone(),
         pattern: Some(pattern),
         waves: whirl.map(|whirl| whirl.harmonic),
         shape: mode.motion.parts().map(<[_]>::to_vec),
@@ -373,8 +413,8 @@ fn averaged_root(mode: &AveragedMode) -> StabilityRoot {
     }
 }
 
-/// A multiplier of the periodic motion.
-fn root_of_period(mode: &FloquetMode, period: f64) -> StabilityRoot {
+/// A multiplier of the periodic motion; with `doubts` its growth is not known up to its error.
+fn root_of_period(mode: &FloquetMode, period: f64, doubts: bool) -> StabilityRoot {
     let kind = match mode.multiplier {
         own if own.im != 0.0 => BoundaryKind::Flutter,
         own if own.re > 0.0 => BoundaryKind::Divergence,
@@ -384,7 +424,11 @@ fn root_of_period(mode: &FloquetMode, period: f64) -> StabilityRoot {
     StabilityRoot {
         multiplier: Some(mode.multiplier),
         kind,
-        doubt: floor.max(DOUBTFUL * mode.error.unwrap_or(0.0)),
+        doubt: match mode.error.filter(|_| doubts) {
+            Some(error) => floor.max(DOUBTFUL * error),
+            None => floor,
+        },
+        error: mode.error,
         is_neutral: mode.is_neutral,
         share: mode.share,
         fundamental: TAU / period,

@@ -62,6 +62,7 @@ impl AirStrip {
             azimuth,
             position,
             flow: report,
+            attached: self.strip.attached(report.alpha),
             tangential: per_length.dot(&tangent),
             force,
             moment: from_center.cross(&force) + own,

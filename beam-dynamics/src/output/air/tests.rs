@@ -37,6 +37,7 @@ fn strip(blade: &str, number: usize, azimuth: f64) -> AirState {
             along_shaft: 10.0,
             ..StripReport::default()
         },
+        attached: 1.0,
         tangential: -2.0,
         force,
         moment: position.cross(&force),

@@ -10,14 +10,14 @@ use crate::result::StabilityResult;
 const DIGITS: usize = 14;
 
 /// A row for each value and root: the value, whether it was requested, controls of a trim, number of the
-/// mode, its name, growth, frequency, damping ratio, multiplier, and whether it is unstable. Missing
-/// values are empty.
+/// mode, its name, growth, frequency, damping ratio, multiplier, estimated error of the exponent, and
+/// whether it is unstable. Missing values are empty.
 pub fn stability_csv(result: &StabilityResult) -> String {
     let names = [result.parameter.as_str(), "requested"].into_iter();
     let names = names.chain(result.controls.iter().map(String::as_str));
     let heading = heading(names)
         + ",number,mode,growth [1/s],frequency [Hz],damping ratio [-],\
-           multiplier real part [-],multiplier imaginary part [-],unstable";
+           multiplier real part [-],multiplier imaginary part [-],error [1/s],unstable";
     let optional = |value: Option<f64>| value.map_or_else(String::new, number);
     let word = |is: bool| if is { "yes" } else { "no" }.to_owned();
     let rows = result.points.iter().flat_map(|point| {
@@ -35,10 +35,11 @@ pub fn stability_csv(result: &StabilityResult) -> String {
                 row.push(optional(root.damping_ratio()));
                 row.push(optional(root.multiplier.map(|own| own.re)));
                 row.push(optional(root.multiplier.map(|own| own.im)));
-                row.push(if root.is_neutral {
-                    "azimuth".to_owned()
-                } else {
-                    word(root.is_unstable())
+                row.push(optional(root.error));
+                row.push(match root.is_resolved() {
+                    true if root.is_neutral => "azimuth".to_owned(),
+                    true => word(root.is_unstable()),
+                    false => "below error".to_owned(),
                 });
                 row
             })

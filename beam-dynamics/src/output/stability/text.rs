@@ -26,8 +26,12 @@ pub fn stability_text(result: &StabilityResult) -> String {
     }
     text.push_str(&boundaries(result));
     text.push_str("\nLeast damped mode of each value\n");
-    let heading = ["", "unstable", "growth [1/s]", "frequency [Hz]", "mode"];
-    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    let has_errors = has_errors(result);
+    let mut heading = vec!["", "unstable", "growth [1/s]", "frequency [Hz]", "mode"];
+    if has_errors {
+        heading.insert(3, "error [1/s]");
+    }
+    let mut rows = vec![heading.into_iter().map(str::to_owned).collect::<Vec<_>>()];
     rows[0][0].clone_from(parameter);
     for point in result.points.iter().filter(|point| point.is_requested) {
         let mut counted = point.roots.iter().zip(&point.modes);
@@ -37,8 +41,8 @@ pub fn stability_text(result: &StabilityResult) -> String {
             point.unstable().to_string(),
         ];
         if let Some((root, mode)) = worst {
-            row.extend(numbers(root));
-            row.push(result.modes[*mode].clone());
+            row.extend(numbers(root, has_errors));
+            row.push(named(root, &result.modes[*mode]));
         }
         rows.push(row);
     }
@@ -50,9 +54,29 @@ pub fn stability_text(result: &StabilityResult) -> String {
     text + &format!("{found} of {requested} values were analyzed, and {added} between them\n")
 }
 
-fn numbers(root: &StabilityRoot) -> [String; 2] {
-    let growth = format!("{:.6e}", root.growth());
-    [growth, format!("{:.6}", root.frequency() / TAU)]
+/// Growth, perhaps its error, and frequency.
+fn numbers(root: &StabilityRoot, has_errors: bool) -> Vec<String> {
+    let mut texts = vec![format!("{:.6e}", root.growth())];
+    if has_errors {
+        let error = root.error.map(|error| format!("{error:.1e}"));
+        texts.push(error.unwrap_or_else(|| "-".to_owned()));
+    }
+    texts.push(format!("{:.6}", root.frequency() / TAU));
+    texts
+}
+
+/// The name of a mode, with a remark if its growth is below twice its error.
+fn named(root: &StabilityRoot, name: &str) -> String {
+    if root.is_resolved() {
+        name.to_owned()
+    } else {
+        format!("{name}, growth below error")
+    }
+}
+
+fn has_errors(result: &StabilityResult) -> bool {
+    let mut roots = result.points.iter().flat_map(|point| &point.roots);
+    roots.any(|root| root.error.is_some())
 }
 
 fn boundaries(result: &StabilityResult) -> String {
@@ -82,7 +106,8 @@ fn boundaries(result: &StabilityResult) -> String {
     format!("\nBoundaries\n{}", aligned(&rows))
 }
 
-/// Frequency and damping ratio of each mode at the requested values, side by side in blocks.
+/// Frequency and damping ratio of each mode at the requested values, side by side in blocks; `?` marks
+/// modes whose growth is below twice its estimated error.
 pub(super) fn modes_text(result: &StabilityResult) -> String {
     let requested = result.points.iter().filter(|point| point.is_requested);
     let points: Vec<_> = requested.collect();
@@ -99,8 +124,14 @@ pub(super) fn modes_text(result: &StabilityResult) -> String {
                     continue;
                 }
                 let cell = |point: &&StabilityPoint| {
-                    let found = point.root_of(mode).and_then(number);
-                    found.map_or_else(|| "-".to_owned(), |number| format!("{number:.3}"))
+                    let root = point.root_of(mode);
+                    let mark = if root.is_some_and(|root| !root.is_resolved()) {
+                        "?"
+                    } else {
+                        ""
+                    };
+                    let found = root.and_then(number);
+                    found.map_or_else(|| "-".to_owned(), |number| format!("{number:.3}{mark}"))
                 };
                 let cells = block.iter().map(cell);
                 rows.push(std::iter::once(name.clone()).chain(cells).collect());
@@ -109,23 +140,31 @@ pub(super) fn modes_text(result: &StabilityResult) -> String {
             text.push('\n');
         }
     }
+    let mut roots = points.iter().flat_map(|point| &point.roots);
+    if roots.any(|root| !root.is_resolved()) {
+        text.push_str("? the growth is below twice its estimated error: use more \"steps\"\n");
+    }
     text
 }
 
 /// All roots of all values.
 pub(super) fn roots_text(result: &StabilityResult) -> String {
-    let heading = ["", "growth [1/s]", "frequency [Hz]", "damping [%]", "mode"];
-    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    let has_errors = has_errors(result);
+    let mut heading = vec!["", "growth [1/s]", "frequency [Hz]", "damping [%]", "mode"];
+    if has_errors {
+        heading.insert(2, "error [1/s]");
+    }
+    let mut rows = vec![heading.into_iter().map(str::to_owned).collect::<Vec<_>>()];
     rows[0][0].clone_from(&result.parameter);
     for point in &result.points {
         for (root, mode) in point.roots.iter().zip(&point.modes) {
             let mut row = vec![short_number(point.at, DIGITS[0])];
-            row.extend(numbers(root));
+            row.extend(numbers(root, has_errors));
             let ratio = root
                 .damping_ratio()
                 .map(|ratio| format!("{:.4}", 100.0 * ratio));
             row.push(ratio.unwrap_or_default());
-            row.push(result.modes[*mode].clone());
+            row.push(named(root, &result.modes[*mode]));
             rows.push(row);
         }
     }

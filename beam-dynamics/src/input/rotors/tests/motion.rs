@@ -166,6 +166,42 @@ fn actuators_hold_the_plate_where_it_is_prescribed() {
     }
 }
 
+// The lengths from the bases to the rim of a prescribed plate while the controls change, in time and with all
+// links, against the height and the tilt by the kinematics of the links: 1e-6 m as accepted.
+#[test]
+fn a_plate_has_its_lengths_while_controls_change() {
+    let (sin, cos) = 75.0_f64.to_radians().sin_cos();
+    let links = Links {
+        below: 0.15,
+        horn: [0.2 * cos, 0.2 * sin],
+        precone: 0.0,
+        undersling: 0.0,
+    };
+    let keys = format!(
+        "speed = 300\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\n\
+         cosine = \"= 200*t^2\"\nsine = \"= -400*t^2\"\n\
+         [rotor.swashplate.plate]\nbelow = 0.15\nhorn = {:?}\n",
+        links.horn
+    );
+    let rest = "[transient]\nto = 0.1\nstep = 2e-3\nnewton.tolerance = 1e-12\n";
+    let run = Run::new(&text("rigid", &keys, rest));
+    for (time, [plate]) in run.motions(["r/plate"]) {
+        let controls = [800.0_f64, 200.0, -400.0].map(|rate| (rate * time * time).to_radians());
+        let position = links.linear() * Vector3::from(controls);
+        let turn = vector::to_rotation(&Vector3::new(position.y, position.z, 0.0));
+        let center = Vector3::z() * (position.x - 0.15);
+        for azimuth in [90.0_f64, 210.0, 330.0] {
+            let (sin, cos) = azimuth.to_radians().sin_cos();
+            let rim = Vector3::new(0.2 * cos, 0.2 * sin, 0.0);
+            let base = rim - Vector3::z() * 0.45;
+            let found = (plate.position + plate.rotation * rim - base).norm();
+            let expected = (center + turn * rim - base).norm();
+            let off = (found - expected).abs();
+            assert!(off < 1e-6, "{time} {azimuth}: {off:e}");
+        }
+    }
+}
+
 // A torque on a free shaft, omega' = M / J, after the first step, whose force is of first order.
 #[test]
 fn a_torque_accelerates_the_shaft() {

@@ -1,0 +1,95 @@
+//! Newton's method with controls where it fails from the first guesses: targets that change from the
+//! means with these guesses to their values.
+//!
+//! ```text
+//! m*_k = m_0 + a_k ( m* - m_0 ) ,     a_k = a_(k-1) + h ,   0 < a_k <= 1                       (D-343)
+//! ```
+//!
+//! with the means m_0 of the periodic motion with the controls of the first guess. Each motion begins at
+//! the one before; h is halved where Newton's method fails, and doubled after it succeeds.
+
+use super::failure::PeriodicFailure;
+use super::flow::Flow;
+use super::passes::Passes;
+use super::shooting::{Orbit, Shooting};
+use crate::case::PeriodicSettings;
+use crate::model::State;
+
+/// First h.
+const FIRST: f64 = 0.25;
+/// Smallest h.
+const LEAST: f64 = 1.0 / 32.0;
+/// Largest number of iterations of a motion on the way.
+const ITERATIONS: usize = 6;
+/// Part of the scale of a target from which it counts as not met.
+const NOT_MET: f64 = 1e-3;
+
+/// The periodic motion with controls near the first state `state`, which becomes the last state of the
+/// search, or the last one with a motion.
+pub(super) fn approach(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    state: &mut State,
+    passes: &mut Passes<'_>,
+) -> Result<Orbit, PeriodicFailure> {
+    let begun = state.clone();
+    let first = match shooting.solve(flow, state, passes) {
+        Err(first) if can_be_approached(&first) && shooting.border.count() > 0 => first,
+        found => return found,
+    };
+    let last = state.clone();
+    state.copy_from(&begun);
+    let short = PeriodicSettings {
+        iterations: shooting.settings.iterations.min(ITERATIONS),
+        ..shooting.settings.clone()
+    };
+    let held = shooting.border.held();
+    let with_guess = Shooting {
+        border: &held,
+        ..*shooting
+    };
+    let Ok(orbit) = with_guess.solve(flow, state, passes) else {
+        state.copy_from(&last);
+        return Err(first);
+    };
+    let from = shooting.border.reached(&orbit.end);
+    let mut met = orbit;
+    let (mut part, mut step) = (0.0, FIRST);
+    while step >= LEAST {
+        let next = f64::min(part + step, 1.0);
+        let border = shooting.border.partly(&from, next);
+        let partly = Shooting {
+            border: &border,
+            settings: &short,
+            ..*shooting
+        };
+        state.copy_from(&met.state);
+        match partly.solve(flow, state, passes) {
+            Ok(orbit) if next == 1.0 => return Ok(orbit),
+            Ok(orbit) => {
+                (met, part) = (orbit, next);
+                step = f64::min(2.0 * step, FIRST);
+            }
+            Err(_) => step *= 0.5,
+        }
+    }
+    state.copy_from(&met.state);
+    Err(PeriodicFailure::Limited {
+        first: Box::new(first),
+        reached: shooting
+            .border
+            .differences(&shooting.border.reached(&met.end), NOT_MET),
+        controls: shooting.border.written(&met.state),
+        stall: String::new(),
+    })
+}
+
+/// Whether the search failed on its way, not by its equations.
+fn can_be_approached(failure: &PeriodicFailure) -> bool {
+    matches!(
+        failure,
+        PeriodicFailure::NotConverged { .. }
+            | PeriodicFailure::Unreached { .. }
+            | PeriodicFailure::Step(_)
+    )
+}
