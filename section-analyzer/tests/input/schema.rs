@@ -80,7 +80,6 @@ const SUBJECTS: [Subject; 4] = [
             "has no effect: [shape] has ",
             "is the name of another",
             "expected one of \"from\" and \"to\" beside it",
-            "expected the positions of root and tip, without \"length\"",
             "expected one of \"arc\"",
             "no file \"blade.csv\"",
             "\"twist\" lists 4",

@@ -21,12 +21,21 @@ pub(super) const LINE_OF_LAYUP: TableSchema = TableSchema {
     families: &[
         LINE_TABLE.families[0],
         Family {
-            name: "along the span",
+            name: "along a length",
             meaning: "If `sweep`, `prebend` or `twist` is a table of positions and values: positions are \
-                      parts of the extent along x, from the first to the last number of `span`, or of \
-                      the `length`.",
+                      parts of the extent along x.",
             keys: &[
                 LENGTH.schema,
+                SWEEP.schema,
+                PREBEND.schema,
+                TWIST.schema,
+                KIND.schema,
+            ],
+        },
+        Family {
+            name: "along the span",
+            meaning: "The same, from the first to the last number of `span`.",
+            keys: &[
                 SPAN.schema,
                 SWEEP.schema,
                 PREBEND.schema,
@@ -43,9 +52,9 @@ pub(super) const LINE_OF_LAYUP: TableSchema = TableSchema {
 
 keys! {
     /// Extent along x.
-    LENGTH: Option<f64> = "length", [Positive(Dimension::LENGTH)], optional, "190";
+    LENGTH: f64 = "length", [Positive(Dimension::LENGTH)], required, "190";
     /// First and last position along x, in the place of `length`.
-    SPAN: ByHand = "span", [Quantities(Dimension::LENGTH)], optional, "[0, 61.5]";
+    SPAN: ByHand = "span", [Quantities(Dimension::LENGTH)], required, "[0, 61.5]";
     /// Toward the trailing edge.
     SWEEP: Course = "sweep", [Quantity(Dimension::LENGTH), OneTable(&COURSE)],
         or "0" = Course::constant(0.0), "{ eta = [0, 1], value = [0, 1.5] }";
@@ -107,16 +116,12 @@ pub(super) fn read(table: &Table<'_>) -> Option<ReferenceLine> {
 
 /// The first and the last position along x \[m\]; notes problems.
 fn ends(table: &Table<'_>) -> Option<[f64; 2]> {
-    let length = table.get(&LENGTH)?;
     if !table.has(&SPAN) {
-        if length.is_none() {
-            let _ = table.require_item(&LENGTH, "a length, or the span from the root to the tip");
-        }
-        return Some([0.0, length?]);
+        return Some([0.0, table.get(&LENGTH)?]);
     }
     let span = table.quantities(SPAN.name(), Dimension::LENGTH)?;
     match span[..] {
-        [from, .., to] if from < to && length.is_none() => Some([from, to]),
+        [from, .., to] if from < to && !table.has(&LENGTH) => Some([from, to]),
         _ => {
             table.wrong(&SPAN, "the positions of root and tip, without \"length\"");
             None
