@@ -1,7 +1,7 @@
 //! Fifty sections of five thousand nodes on the average, of the IEA 15 MW blade from 0.1 to 0.6 of its
 //! span: `blade` on one thread and on two, over the single analyses of the same section files.
 //!
-//! The limits are the ones of the issue: with two threads an efficiency of 85 %, and less than 1.5 times
+//! The limits: with two threads an efficiency of 85 %, and less than 1.5 times
 //! the sum of the analyses; they hold on a machine without other work.
 
 use std::ffi::OsString;

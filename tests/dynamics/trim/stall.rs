@@ -112,17 +112,21 @@ fn controls_without_effect_do_not_change() {
 }
 
 // The auto-pilot of a rotor whose blades have little damping in the plane of rotation ends at the controls
-// of shooting, in less than 100 periods: to 5e-4 rad (2.1e-4 are measured), since its controls also follow
-// the harmonics of the momentary targets within each revolution.
+// of shooting, in less than 100 periods. Its controls also follow the harmonics of the momentary targets
+// within each revolution, in proportion to its gain: with half of the gain they are nearer.
 #[test]
 fn an_auto_pilot_ends_at_the_controls_of_shooting() {
     let text = rotor(ALL, &controls([0.08, 0.0, 0.0]), &targets(6000.0));
     let shot = attempt(&text).result.points[0].clone();
-    let piloted = text.replace("[trim]\n", "[trim]\nmethod = \"autopilot\"\n");
-    let piloted = attempt(&piloted).result.points[0].clone();
-    assert_eq!((&shot.failure, &piloted.failure), (&None, &None));
-    assert!(piloted.iterations < 100, "{piloted:?}");
-    for (found, expected) in piloted.controls.iter().zip(&shot.controls) {
-        assert!((found - expected).abs() < 5e-4, "{found} {expected}");
-    }
+    let off = [0.3, 0.15].map(|gain| {
+        let pilot = format!("[trim]\nmethod = \"autopilot\"\ngain = {gain}\n");
+        let piloted = attempt(&text.replace("[trim]\n", &pilot)).result.points[0].clone();
+        assert_eq!((&shot.failure, &piloted.failure), (&None, &None));
+        assert!(piloted.iterations < 100, "{piloted:?}");
+        let pairs = piloted.controls.iter().zip(&shot.controls);
+        let off = pairs.map(|(found, expected)| (found - expected).abs());
+        off.fold(0.0, f64::max)
+    });
+    println!("{off:?}");
+    assert!(off[0] < 1e-3 && off[1] < 0.6 * off[0], "{off:?}");
 }
