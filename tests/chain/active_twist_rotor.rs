@@ -214,4 +214,14 @@ fn a_voltage_twice_per_revolution_changes_the_vibration() {
     let (base, best) = (over_phase.without().moment, over_phase.best());
     println!("best phase {best} deg: {base} to {} lbf ft", moment(best));
     assert!(moment(best) < 0.95 * base && moment(best + 180.0) > 1.05 * base);
+    // No part of the voltage at any phase has a smaller moment than the optimum.
+    let [part, phase] = over_phase.optimum();
+    let least = over_phase.with(part, phase).moment;
+    for k in 0..360 {
+        let beside = over_phase
+            .with(0.02 * f64::from(k % 100), f64::from(k))
+            .moment;
+        assert!(beside > (1.0 - 1e-12) * least, "{k}: {beside} {least}");
+    }
+    assert!(least < moment(best));
 }

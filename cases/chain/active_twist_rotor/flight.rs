@@ -109,10 +109,37 @@ impl Vibration {
 
     /// To first order at a phase \[deg\].
     pub fn at(&self, phase: f64) -> Sizes {
+        self.with(1.0, phase)
+    }
+
+    /// To first order with a part of the voltage \[-\] at a phase \[deg\].
+    pub fn with(&self, part: f64, phase: f64) -> Sizes {
         let (sin, cos) = phase.to_radians().sin_cos();
+        let (sin, cos) = (part * sin, part * cos);
         let [base, zero, quarter] = &self.parts;
         let sum = |i: usize, k: usize| base[i][k] + cos * zero[i][k] + sin * quarter[i][k];
         sizes(&std::array::from_fn(|i| [sum(i, 0), sum(i, 1)]))
+    }
+
+    /// The part of the voltage \[-\] and the phase \[deg\] of the smallest moment, by least squares:
+    ///
+    /// ```text
+    /// min |z_0 + (z(0) - z_0) a + (z(90 deg) - z_0) b| ,     a = part cos phi, b = part sin phi
+    /// ```
+    pub fn optimum(&self) -> [f64; 2] {
+        let of_moment = |rows: &[[f64; 2]; LOADS.len()]| [rows[0], rows[1]].concat();
+        let [base, zero, quarter] = self.parts.each_ref().map(of_moment);
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let (zz, zq, qq) = (
+            product(&zero, &zero),
+            product(&zero, &quarter),
+            product(&quarter, &quarter),
+        );
+        let right = [-product(&zero, &base), -product(&quarter, &base)];
+        let size = zz * qq - zq * zq;
+        let a = (qq * right[0] - zq * right[1]) / size;
+        let b = (zz * right[1] - zq * right[0]) / size;
+        [a.hypot(b), b.atan2(a).to_degrees().rem_euclid(360.0)]
     }
 
     /// The whole phase at which the moment is smallest \[deg\].

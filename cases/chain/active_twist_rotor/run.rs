@@ -2,17 +2,18 @@
 //! 13.6 and 13.7 and figures 13.6 to 13.9.
 //!
 //! ```sh
-//! cargo run --example active_twist_rotor             # a coarse model, one flight condition
-//! cargo run --example active_twist_rotor -- --long   # a finer model, and all conditions
+//! cargo run --example active_twist_rotor              # all conditions
+//! cargo run --example active_twist_rotor -- --short   # a coarser model, one flight condition
 //! ```
 //!
-//! The short form takes one to two minutes, the long form many; both draw into `results`.
+//! It takes one to two minutes; both forms draw into `results`.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 mod figures;
 mod flight;
+mod harmonics;
 mod hover;
 mod motion;
 mod response;
@@ -33,14 +34,14 @@ const CASE: &str = "cases/chain/active_twist_rotor";
 /// The section.
 const SECTION: &str = "cases/section/active_twist_section/active_twist_section.section.toml";
 
-/// The coarse model.
+/// The model of the short form.
 const COARSE: [(&str, f64); 4] = [
     ("elements", 2.0),
     ("strips", 2.0),
     ("steps", 24.0),
     ("tolerance", 1e-4),
 ];
-/// The model of the long form.
+/// The model of all conditions.
 const FINE: [(&str, f64); 4] = [
     ("elements", 3.0),
     ("strips", 2.0),
@@ -67,10 +68,10 @@ const TABLE_13_7: [[f64; 4]; 3] = [
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1);
     let is_long = match (arguments.next().as_deref(), arguments.next()) {
-        (None, _) => false,
-        (Some("--long"), None) => true,
+        (None, _) => true,
+        (Some("--short"), None) => false,
         _ => {
-            eprintln!("error: unknown arguments\n  help: no argument, or --long");
+            eprintln!("error: unknown arguments\n  help: no argument, or --short");
             return ExitCode::from(2);
         }
     };
@@ -242,6 +243,11 @@ fn flights(case: &Path, is_long: bool, model: &[(&str, f64)]) -> Result<Vec<Flig
         let own = flight(case, model, condition, before)?;
         show_flight(&own);
         all.push(own);
+    }
+    if let Some(first) = all.first().filter(|_| is_long) {
+        let condition = first.condition;
+        let found = harmonics::by_harmonic(case, model, condition, &first.without)?;
+        harmonics::show(&found, condition);
     }
     Ok(all)
 }
