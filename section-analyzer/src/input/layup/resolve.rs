@@ -1,5 +1,7 @@
 //! The section at a position along the span: places become arcs.
 
+use std::cell::OnceCell;
+
 use super::fills::{FillBound, WrittenFill};
 use super::names::{Found, POINTS};
 use super::place::{Place, PlaceForm};
@@ -22,6 +24,8 @@ pub(super) struct Resolver<'a> {
     layup: &'a Layup,
     eta: f64,
     outline: Outline,
+    /// Arc length of the foremost point, once it is needed.
+    foremost: OnceCell<f64>,
 }
 
 impl<'a> Resolver<'a> {
@@ -33,6 +37,7 @@ impl<'a> Resolver<'a> {
             layup,
             eta,
             outline: outline.map_err(problem)?,
+            foremost: OnceCell::new(),
         })
     }
 
@@ -266,7 +271,7 @@ impl<'a> Resolver<'a> {
         let [nose, foremost, first, second] = POINTS;
         [
             (nose, outline.nose()),
-            (foremost, outline.foremost()),
+            (foremost, *self.foremost.get_or_init(|| outline.foremost())),
             (first, suction),
             (second, pressure),
         ]

@@ -44,6 +44,8 @@ pub struct Outline {
     start: [f64; 2],
     /// Arc length at equal steps of the parameter.
     arcs: Vec<f64>,
+    /// Piece and interval of the splines at these steps.
+    intervals: Vec<[usize; 2]>,
     base: f64,
     perimeter: f64,
     is_smooth: bool,
@@ -111,6 +113,7 @@ impl Outline {
             corners: Vec::new(),
             start: [range[0], (range[1] - range[0]) / STEPS as f64],
             arcs: Vec::with_capacity(STEPS + 1),
+            intervals: Vec::new(),
             base,
             perimeter: 0.0,
             is_smooth,
@@ -124,6 +127,8 @@ impl Outline {
     /// Fills the table of arc length, and finds the nose.
     fn measure(&mut self) {
         let [start, step] = self.start;
+        let at = |i: usize| self.interval(start + step * i as f64);
+        self.intervals = (0..=STEPS).map(at).collect();
         self.arcs.push(0.5 * self.base);
         for i in 0..STEPS {
             let from = start + step * i as f64;
@@ -169,7 +174,8 @@ impl Outline {
     fn farthest(&self, measure: impl Fn([f64; 2]) -> f64) -> f64 {
         let far = |s: f64| measure(self.position(s));
         let at = |i: usize| self.perimeter * i as f64 / SAMPLES as f64;
-        let best = (1..SAMPLES).max_by(|a, b| far(at(*a)).total_cmp(&far(at(*b))));
+        let sizes: Vec<f64> = (1..SAMPLES).map(|i| far(at(i))).collect();
+        let best = (1..SAMPLES).max_by(|a, b| sizes[a - 1].total_cmp(&sizes[b - 1]));
         let best = best.unwrap_or(SAMPLES / 2);
         self.between([at(best - 1), at(best + 1)], far)
     }
@@ -209,11 +215,32 @@ impl Outline {
         y.hypot(z)
     }
 
-    /// The splines at a parameter, and their interval.
-    fn piece(&self, u: f64) -> (&[Spline; 2], usize) {
+    /// Index of the piece at a parameter, and the interval of its splines.
+    fn interval(&self, u: f64) -> [usize; 2] {
         let after = |piece: &[Spline; 2]| piece[0].positions()[0] <= u;
-        let piece = &self.pieces[self.pieces.partition_point(after).max(1) - 1];
-        (piece, piece[0].interval(u))
+        let index = self.pieces.partition_point(after).max(1) - 1;
+        [index, self.pieces[index][0].interval(u)]
+    }
+
+    /// The splines at a parameter, and their interval: searched from the one of the step of the table
+    /// before.
+    fn piece(&self, u: f64) -> (&[Spline; 2], usize) {
+        let step = ((u - self.start[0]) / self.start[1]) as usize;
+        let [mut index, mut interval] = match step {
+            0 => self.interval(u),
+            _ => self.intervals[(step - 1).min(STEPS)],
+        };
+        while let Some(next) = self.pieces.get(index + 1)
+            && next[0].positions()[0] <= u
+        {
+            (index, interval) = (index + 1, 0);
+        }
+        let piece = &self.pieces[index];
+        let positions = piece[0].positions();
+        while interval + 2 < positions.len() && positions[interval + 1] <= u {
+            interval += 1;
+        }
+        (piece, interval)
     }
 
     fn slopes(&self, u: f64) -> [f64; 2] {
@@ -323,6 +350,7 @@ impl Outline {
         let mut part = Self {
             start: [from, (to - from) / STEPS as f64],
             arcs: Vec::with_capacity(STEPS + 1),
+            intervals: Vec::new(),
             base: distance(rear[0], rear[1]),
             is_smooth: false,
             rear,
