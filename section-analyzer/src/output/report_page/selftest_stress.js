@@ -42,6 +42,7 @@ function checkShares(check, station) {
   check(Math.abs(axial / station.stiffness[0][0] - 1) < 0.01, `${station.name}: EA of the layers is ${axial}`);
   const heads = [...byId("layer-table").querySelectorAll("th")].map((head) => head.textContent);
   check(["of EA", "of EI about y", "of EI about z"].every((head) => heads.includes(head)), `${station.name}: no shares of stiffness`);
+  load({ kind: "unit", value: 5 });
 }
 // Sums of loads, extremes and colors.
 function checkStresses(check, station) {
