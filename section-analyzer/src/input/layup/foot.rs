@@ -7,7 +7,7 @@ use super::keys::{BOND_THICKNESS, FOOT, FOOT_BOND, REACH, TURNED, WAY, WAYS};
 use super::layers::Known;
 use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
-use super::{Toward, WrittenLayer, WrittenWeb};
+use super::{WrittenLayer, WrittenWeb};
 
 /// A web, and the layers of its feet; notes problems.
 pub(super) fn web(known: &Known, table: &Table<'_>) -> Option<(WrittenWeb, Vec<WrittenLayer>)> {
@@ -67,20 +67,13 @@ impl Sides<'_> {
         &self,
         kind: &str,
         (material, thickness, fiber_angle): (&str, &Course, f64),
-        [from, to]: [Place; 2],
+        reach: [Place; 2],
     ) -> WrittenLayer {
+        let name = format!("{}_{kind}_{}", self.web.name, SIDES[self.side]);
+        let named = (name, material.to_owned());
         WrittenLayer {
-            name: format!("{}_{kind}_{}", self.web.name, SIDES[self.side]),
-            material: material.to_owned(),
-            thickness: thickness.clone(),
             fiber_angle,
-            toward: Toward::LeadingEdge,
-            from,
-            to,
-            taper: None,
-            profile: Vec::new(),
-            web: None,
-            line: self.line,
+            ..WrittenLayer::plain(named, thickness.clone(), reach, self.line)
         }
     }
 

@@ -15,6 +15,31 @@ use super::problem::LayupFileProblem;
 use super::{Toward, WrittenLayer, WrittenWeb};
 use crate::input::materials::WrittenMaterial;
 
+impl WrittenLayer {
+    /// A layer with its name and material between two places: its fibers are along x, and it has
+    /// neither a taper nor a profile nor a web.
+    pub(super) fn plain(
+        (name, material): (String, String),
+        thickness: Course,
+        [from, to]: [Place; 2],
+        line: usize,
+    ) -> Self {
+        Self {
+            name,
+            material,
+            thickness,
+            fiber_angle: 0.0,
+            toward: Toward::LeadingEdge,
+            from,
+            to,
+            taper: None,
+            profile: Vec::new(),
+            web: None,
+            line,
+        }
+    }
+}
+
 /// The thickness of a layer.
 enum Stack {
     Thickness(Course),
@@ -101,18 +126,10 @@ impl Known {
             // not of webs
             Stack::Plies(ply, _) => Course::constant(ply),
         };
+        let (named, whole) = ((name?.0, material?), [0.0, 1.0].map(Place::arc));
         Some(WrittenLayer {
-            name: name?.0,
-            material: material?,
-            thickness,
             fiber_angle: angle?.0,
-            toward: Toward::LeadingEdge,
-            from: Place::arc(0.0),
-            to: Place::arc(1.0),
-            taper: None,
-            profile: Vec::new(),
-            web: None,
-            line: table.line(),
+            ..WrittenLayer::plain(named, thickness, whole, table.line())
         })
     }
 

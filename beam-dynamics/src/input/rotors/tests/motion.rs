@@ -58,18 +58,23 @@ fn at_rest(text: &str, names: &[&str]) -> Vec<(Vector3<f64>, Matrix3<f64>)> {
         .collect()
 }
 
+/// The links of the prototype, whose horns are ahead of the blades.
+fn links() -> Links {
+    let (sin, cos) = 75.0_f64.to_radians().sin_cos();
+    Links {
+        below: 0.15,
+        horn: [0.2 * cos, 0.2 * sin],
+        precone: 0.0,
+        undersling: 0.0,
+    }
+}
+
 // The pitch of each blade of a model of plates and rigid links is the one of the kinematics of the
 // links, which is compared with the prototype where it is defined: exact for constant controls, at
 // nine azimuths, and linear for controls that change.
 #[test]
 fn plates_and_links_give_the_pitch_of_their_kinematics() {
-    let (sin, cos) = 75.0_f64.to_radians().sin_cos();
-    let links = Links {
-        below: 0.15,
-        horn: [0.2 * cos, 0.2 * sin],
-        precone: 0.0,
-        undersling: 0.0,
-    };
+    let links = links();
     let plate = format!(
         "[rotor.swashplate.plate]\nbelow = 0.15\nhorn = {:?}\n",
         links.horn
@@ -170,13 +175,7 @@ fn actuators_hold_the_plate_where_it_is_prescribed() {
 // links, against the height and the tilt by the kinematics of the links: 1e-6 m as accepted.
 #[test]
 fn a_plate_has_its_lengths_while_controls_change() {
-    let (sin, cos) = 75.0_f64.to_radians().sin_cos();
-    let links = Links {
-        below: 0.15,
-        horn: [0.2 * cos, 0.2 * sin],
-        precone: 0.0,
-        undersling: 0.0,
-    };
+    let links = links();
     let keys = format!(
         "speed = 300\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\n\
          cosine = \"= 200*t^2\"\nsine = \"= -400*t^2\"\n\

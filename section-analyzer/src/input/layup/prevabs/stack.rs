@@ -71,19 +71,13 @@ impl Named<'_> {
         ]
     }
 
-    fn layer(&self, name: &str, [from, to]: [f64; 2]) -> WrittenLayer {
+    fn layer(&self, name: &str, arcs: [f64; 2]) -> WrittenLayer {
+        let named = (name.to_owned(), self.ply.material.clone());
+        let thickness = Course::constant(self.ply.thickness);
         WrittenLayer {
-            name: name.to_owned(),
-            material: self.ply.material.clone(),
-            thickness: Course::constant(self.ply.thickness),
             fiber_angle: self.ply.angle.to_radians(),
             toward: Toward::Contour,
-            from: Place::arc(from),
-            to: Place::arc(to),
-            taper: None,
-            profile: Vec::new(),
-            web: None,
-            line: self.line,
+            ..WrittenLayer::plain(named, thickness, arcs.map(Place::arc), self.line)
         }
     }
 }

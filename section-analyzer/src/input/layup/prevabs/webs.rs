@@ -2,7 +2,7 @@
 
 use super::super::course::Course;
 use super::super::place::Place;
-use super::super::{Toward, WrittenLayer, WrittenWeb};
+use super::super::{WrittenLayer, WrittenWeb};
 use super::components::{Segment, Side};
 use super::contour::Contour;
 use super::files::Notes;
@@ -47,18 +47,14 @@ pub(super) fn web(
         plies.reverse();
     }
     let line = segment.element.line();
-    let written = plies.into_iter().map(|(number, ply)| WrittenLayer {
-        name: format!("{}_{}", segment.name, number + 1),
-        material: ply.material.clone(),
-        thickness: Course::constant(ply.thickness),
-        fiber_angle: (ply.angle * run.signum()).to_radians(),
-        toward: Toward::LeadingEdge,
-        from: Place::arc(0.0),
-        to: Place::arc(1.0),
-        taper: None,
-        profile: Vec::new(),
-        web: None,
-        line,
+    let written = plies.into_iter().map(|(number, ply)| {
+        let name = format!("{}_{}", segment.name, number + 1);
+        let named = (name, ply.material.clone());
+        let (thickness, whole) = (Course::constant(ply.thickness), [0.0, 1.0].map(Place::arc));
+        WrittenLayer {
+            fiber_angle: (ply.angle * run.signum()).to_radians(),
+            ..WrittenLayer::plain(named, thickness, whole, line)
+        }
     });
     Some(WrittenWeb {
         name: segment.name.clone(),

@@ -5,7 +5,7 @@ use shared_geom::exchange::yaml::{Node, Value};
 
 use super::super::course::Course;
 use super::super::place::Place;
-use super::super::{Toward, WrittenLayer, WrittenWeb};
+use super::super::{WrittenLayer, WrittenWeb};
 use super::angles::{self, Angle};
 use super::places::{Holder, Places};
 use super::version::Version;
@@ -162,19 +162,10 @@ fn layer<'n>(
         Some(_) => Some([Place::arc(0.0), Place::arc(1.0)]),
     };
     let thickness = thickness?.within([range[0].unwrap_or(0.0), range[1].unwrap_or(1.0)]);
-    let [from, to] = arcs?;
+    let (arcs, named) = (arcs?, (name.to_owned(), material?.to_owned()));
     Some(WrittenLayer {
-        name: name.to_owned(),
-        material: material?.to_owned(),
-        thickness,
         fiber_angle: fiber_angle?,
-        toward: Toward::LeadingEdge,
-        from,
-        to,
-        taper: None,
-        profile: Vec::new(),
-        web: None,
-        line: item.line,
+        ..WrittenLayer::plain(named, thickness, arcs, item.line)
     })
 }
 
@@ -363,20 +354,9 @@ fn bond_lines<'n>(
         let material = word(bond, &of, "material", notes);
         let thickness = required(bond, &of, "thickness", notes)
             .and_then(|at| course(at, &format!("bond line of {of}"), notes));
-        let [from, to] = places.of(Holder::Layer, flange, &of, notes)?;
-        layers.push(WrittenLayer {
-            name: format!("{name}_bond_{}", index + 1),
-            material: material?.to_owned(),
-            thickness: thickness?,
-            fiber_angle: 0.0,
-            toward: Toward::LeadingEdge,
-            from,
-            to,
-            taper: None,
-            profile: Vec::new(),
-            web: None,
-            line: flange.line,
-        });
+        let arcs = places.of(Holder::Layer, flange, &of, notes)?;
+        let named = (format!("{name}_bond_{}", index + 1), material?.to_owned());
+        layers.push(WrittenLayer::plain(named, thickness?, arcs, flange.line));
     }
     Some(())
 }
