@@ -11,6 +11,7 @@ mod coefficients;
 mod operating;
 mod panels;
 mod performance;
+mod stall_delay;
 
 pub use balance::{BalanceOutcome, balanced_speed, pitch_for_power};
 pub use blade::{AnnulusRadius, Machine, RigidRotor, Station};

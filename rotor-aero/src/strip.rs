@@ -155,6 +155,9 @@ pub struct Strip {
     of_inflow: usize,
 }
 
+/// Words in the names of induced velocities.
+pub const INDUCED_VELOCITY: &str = "induced velocity";
+
 /// Unknowns of the inflow: induced velocities, the first stage of the dynamic wake, and the velocities
 /// of the steady state that it may follow.
 const INDUCED: [&str; 6] = [
@@ -320,16 +323,17 @@ impl Strip {
         out[LOADS..LOADS + first].copy_from_slice(&induced[..first]);
         if let Some(inflow) = annulus {
             let loads = [force.along, force.normal];
-            let ring = |loads: [T; 2]| {
-                Ring::new(inflow, air.still.density, RingFlow::of(flow, &axes, &loads))
+            let ring = |loads: [T; 2], local: T| {
+                let flow = RingFlow::of(flow, &axes, &loads, local);
+                Ring::new(inflow, air.still.density, flow)
             };
             let rows = &mut out[LOADS + first..LOADS + self.of_inflow];
             let (own, steady) = rows.split_at_mut(rows.len().min(LAGGED));
-            ring(loads).rows((&induced[first..], &induced_rates[first..]), own);
+            ring(loads, induced[0]).rows((&induced[first..], &induced_rates[first..]), own);
             if let [_, _, _, _, u, v] = induced[first..] {
                 let velocity = annular(flow, &axes, [u, v]);
                 let force = self.static_section(air, (velocity, flow.pitch_rate, flow.flap));
-                ring([force.along, force.normal]).equilibrium([u, v], steady);
+                ring([force.along, force.normal], u).equilibrium([u, v], steady);
             }
         }
         out

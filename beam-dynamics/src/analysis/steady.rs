@@ -223,8 +223,14 @@ fn advance(
     // `reached` and `step` are parts of the change: no step is below SMALLEST_STEP.
     loop {
         let next: f64 = f64::min(reached + step, 1.0);
-        let mut balance = start.at(between(from, to, next), state.clone());
-        let mut report = solve(&mut balance, &Newton::default());
+        // Where air sets in, all annuli begin at the same of several steady states that stall may have.
+        let sets_in = reached == 0.0 && from.loading.air == 0.0;
+        let begun = || from_begun_scalars(start, between(from, to, next), &state);
+        let (mut balance, mut report) = sets_in.then(begun).flatten().unwrap_or_else(|| {
+            let mut balance = start.at(between(from, to, next), state.clone());
+            let report = solve(&mut balance, &Newton::default());
+            (balance, report)
+        });
         iterations += report.history.len();
         let quick = report.history.len() <= QUICK;
         if report.status != NewtonStatus::Converged && reached == 0.0 && from != to {
@@ -236,6 +242,13 @@ fn advance(
                 iterations += settled.history.len();
                 report = settled;
             }
+        }
+        if report.status != NewtonStatus::Converged
+            && !sets_in
+            && let Some((begun, found)) = begun()
+        {
+            iterations += found.history.len();
+            (balance, report) = (begun, found);
         }
         if report.status != NewtonStatus::Converged {
             step *= 0.5;
@@ -254,6 +267,24 @@ fn advance(
             });
         }
     }
+}
+
+/// Newton's method from a state whose scalars begin near their values at rest, as the velocities of annuli
+/// at their own steady states: in stall there is none near the last ones. `None` without such scalars, and
+/// where it does not converge.
+fn from_begun_scalars<'a>(
+    start: &Balance<'a>,
+    conditions: Conditions,
+    state: &State,
+) -> Option<(Balance<'a>, NewtonReport)> {
+    let mut begun = state.clone();
+    start.system.begin_scalars(&mut begun, &conditions);
+    if begun == *state {
+        return None;
+    }
+    let mut balance = start.at(conditions, begun);
+    let report = solve(&mut balance, &Newton::default());
+    (report.status == NewtonStatus::Converged).then_some((balance, report))
 }
 
 /// Whether Newton's method diverges at once even for the shortest step.

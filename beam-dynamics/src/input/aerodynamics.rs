@@ -18,6 +18,7 @@ pub(super) mod family;
 mod inflows;
 mod mach;
 mod problem;
+pub(super) mod rotor_delay;
 pub(super) mod switches;
 mod unsteady;
 

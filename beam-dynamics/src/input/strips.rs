@@ -13,7 +13,8 @@
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
-use rotor_aero::strip::{SectionModel, Strip, StripDesign, StripInflow};
+use rotor_aero::airfoil::RotorStallDelay;
+use rotor_aero::strip::{SectionModel, Strip, StripDesign};
 use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{Boolean, Count, Text, Word};
 use shared_geom::keys;
@@ -21,6 +22,7 @@ use shared_geom::quadrature;
 
 use super::aerodynamics::MachLimit;
 use super::aerodynamics::family::{self, FAMILY};
+use super::aerodynamics::rotor_delay::{self, BLADE_STALL_DELAY};
 use super::beam_card::Beam;
 use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
@@ -33,6 +35,7 @@ mod files;
 mod flaps;
 mod inflow_check;
 mod line;
+mod on_rotor;
 mod rotor;
 mod stations;
 mod unused;
@@ -44,6 +47,7 @@ pub(super) use inflow_check::check as check_inflows;
 pub(super) use line::BladeLine;
 
 use flaps::{FLAPS, Flap};
+use on_rotor::OnRotor;
 use rotor::Rotor;
 use stations::{Between, STATIONS, Stations};
 
@@ -69,7 +73,7 @@ keys! {
     POINTS: usize = "strips", [Count(20)], or "2" = 2, "3";
     /// Whether the flow along the span has friction, with the drag at zero angle of attack.
     RADIAL_DRAG: bool = "radial_drag", [Boolean], or "false" = false, "true";
-    with STATIONS.schema, FAMILY.schema, FLAPS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
+    with BLADE_STALL_DELAY.schema, STATIONS.schema, FAMILY.schema, FLAPS.schema, files::FILE.schema, files::AIRFOILS.schema, files::AIRFOIL_FILE.schema,
         files::SET.schema, files::TWIST_FILE.schema, files::ROOT_RADIUS.schema;
 }
 
@@ -88,6 +92,7 @@ struct LineAir {
     model: SectionModel,
     points: usize,
     radial_drag: bool,
+    delay: Option<RotorStallDelay>,
 }
 
 /// Reads the table of a `[[blade]]` called `name`, with the line of its beams.
@@ -124,6 +129,7 @@ pub(super) fn read(
         remarks.extend(own.remark_on_chord(&user, line.length));
         remarks.extend(own.remark_on_span(&user, line.length));
     }
+    let delay = delay(table, stations.as_ref(), &user, &mut remarks);
     builder.add_remarks(remarks);
     let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);
@@ -136,9 +142,24 @@ pub(super) fn read(
             model: model?,
             points: points?,
             radial_drag: radial_drag?,
+            delay: delay?,
         },
         rotor: rotor?,
     })
+}
+
+/// Reads the delay of stall of a table, and checks it with its stations.
+fn delay(
+    table: &Table<'_>,
+    stations: Option<&Stations>,
+    user: &str,
+    remarks: &mut Vec<String>,
+) -> Option<Option<RotorStallDelay>> {
+    let delay = rotor_delay::read(table)?;
+    if let (Some(_), Some(stations)) = (&delay, stations) {
+        rotor_delay::check(table, stations.sections(), user, remarks)?;
+    }
+    Some(delay)
 }
 
 /// Adds the strips of the blades of a card, by their names and axes (columns, pitch included). The
@@ -162,9 +183,8 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
             let remark = air.rotor.remark_on_hub(name, first, radius);
             builder.add_remarks(remark.into_iter().collect());
             let distance = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
-            let inflow =
-                StripsInflow::new((&air.rotor, stations), (blades.len(), radius), distance);
-            let strips = strips(&air.along, (axes, &beams), builder, &inflow);
+            let on_rotor = OnRotor::new((&air.rotor, stations), (blades.len(), radius), distance);
+            let strips = strips(&air.along, (axes, &beams), builder, &on_rotor);
             (strips, stations.mach_limits(distance))
         });
         add_blade(
@@ -319,33 +339,6 @@ struct PlacedStrip {
     flap: Option<Signal>,
 }
 
-/// Inflow of strips.
-#[derive(Default)]
-struct StripsInflow {
-    model: Option<StripInflow>,
-    /// Arc length beyond which they have no lift, if there is one \[m\].
-    end: Option<f64>,
-}
-
-impl StripsInflow {
-    /// Of the strips of one of several blades, whose tips have a radius \[m\]; `radius` is the distance
-    /// from the shaft at a position on the line \[m\].
-    fn new(
-        (rotor, stations): (&Rotor, &Stations),
-        (blades, tip): (usize, f64),
-        radius: impl Fn(f64) -> f64,
-    ) -> Self {
-        let mut positions = stations.positions();
-        let first = positions.next().unwrap_or_default();
-        let last = positions.last().unwrap_or(first);
-        let end = rotor.end_of_lift(tip);
-        Self {
-            model: rotor.inflow(blades, radius(first)),
-            end: (radius(last) > end).then(|| last_inside([first, last], |at| radius(at) <= end)),
-        }
-    }
-}
-
 /// A position on the line of beams \[m\].
 fn point_at(beams: &[PlacedBeam], position: f64, builder: &ModelBuilder) -> Vector3<f64> {
     let after = beams.partition_point(|(_, start)| *start <= position);
@@ -367,17 +360,17 @@ fn strips(
     air: &LineAir,
     (axes, beams): (&Matrix3<f64>, &[PlacedBeam]),
     builder: &ModelBuilder,
-    inflow: &StripsInflow,
+    on_rotor: &OnRotor<'_>,
 ) -> Vec<PlacedStrip> {
     let mut strips = Vec::new();
     for (number, (beam, start)) in beams.iter().enumerate() {
         let beam = &builder.beams()[*beam];
         let ends = ends(beam, builder);
         let end = start + beam.geometry.length(&ends);
-        for (position, length, between) in air.points([*start, end], inflow.end) {
+        for (position, length, between) in air.points([*start, end], on_rotor.end) {
             let xi = beam.geometry.position(&ends, position - start);
             let geometry = geometry(&between, axes, (beam, &ends), (xi, length));
-            let (strip, flap) = air.strip(position, between, inflow);
+            let (strip, flap) = air.strip(position, &between, on_rotor);
             strips.push(PlacedStrip {
                 beam: number,
                 span: position,
@@ -389,20 +382,6 @@ fn strips(
         }
     }
     strips
-}
-
-/// The last position between two that is inside; radii increase along a blade.
-fn last_inside([mut low, mut high]: [f64; 2], is_inside: impl Fn(f64) -> bool) -> f64 {
-    // Halves of the span down to round-off.
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if is_inside(middle) {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    low
 }
 
 /// Part of a line below which a piece between two stations has no strip of its own.
@@ -439,17 +418,17 @@ impl LineAir {
     fn strip(
         &self,
         position: f64,
-        between: Between,
-        inflow: &StripsInflow,
+        between: &Between,
+        on_rotor: &OnRotor<'_>,
     ) -> (Arc<Strip>, Option<Signal>) {
         let strip = Strip::new(StripDesign {
             chord: between.chord,
-            section: between.airfoil,
+            section: on_rotor.section(self.delay.as_ref(), position, between),
             model: self.model,
-            inflow: inflow.model,
+            inflow: on_rotor.inflow,
             radial_drag: self.radial_drag,
         });
-        let strip = if inflow.end.is_none_or(|end| position <= end) {
+        let strip = if on_rotor.end.is_none_or(|end| position <= end) {
             strip
         } else {
             strip.with_lift(0.0)

@@ -139,6 +139,17 @@ impl Section {
         Self::weighted(&parts)
     }
 
+    /// The section with each of its airfoils replaced.
+    #[must_use]
+    pub(crate) fn with_each(&self, by: impl Fn(&Arc<Airfoil>) -> Arc<Airfoil>) -> Self {
+        let others = self.others.iter();
+        Self {
+            first: by(&self.first),
+            weight: self.weight,
+            others: others.map(|(weight, it)| (*weight, by(it))).collect(),
+        }
+    }
+
     /// Weights and airfoils.
     pub fn parts(&self) -> impl Iterator<Item = (f64, &Arc<Airfoil>)> {
         let others = self.others.iter().map(|(weight, it)| (*weight, it));
@@ -190,9 +201,9 @@ impl Section {
         if self.others.is_empty() {
             return sum;
         }
-        sum = scaled(&sum, self.weight);
+        sum = sum.scaled(self.weight);
         for (weight, airfoil) in &self.others {
-            let part = scaled(&of(airfoil), *weight);
+            let part = of(airfoil).scaled(*weight);
             sum.lift += part.lift;
             sum.drag += part.drag;
             sum.moment += part.moment;
@@ -204,14 +215,6 @@ impl Section {
 impl Profile for Section {
     fn at<T: Real>(&self, flow: &Flow<T>) -> Coefficients<T> {
         Section::at(self, flow)
-    }
-}
-
-fn scaled<T: Real>(at: &Coefficients<T>, weight: f64) -> Coefficients<T> {
-    Coefficients {
-        lift: at.lift * weight,
-        drag: at.drag * weight,
-        moment: at.moment * weight,
     }
 }
 

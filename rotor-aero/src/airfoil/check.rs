@@ -29,6 +29,12 @@ const GAP: f64 = PI / 7.2;
 /// \[rad\].
 const STALL: f64 = PI / 9.0;
 
+/// Largest angle, of both signs, between which rows that are missing among others are looked for \[rad\].
+const ATTACHED: f64 = PI / 12.0;
+
+/// Least step of missing rows \[rad\], and in steps around it \[-\].
+const SKIPPED: [f64; 2] = [PI / 36.0, 4.0];
+
 /// Problems and remarks of a table.
 #[derive(Debug, Default)]
 struct Findings {
@@ -225,6 +231,9 @@ fn single(name: &str, kind: &Kind, curve: &Curve, found: &mut Findings) -> Optio
     } else if found.problems.len() == before {
         closed(name, &mut clean, found);
         steps(name, &clean, found);
+        if kind.name == LIFT.name {
+            found.remarks.extend(skipped(name, &clean));
+        }
     }
     (found.problems.len() == before).then_some(clean)
 }
@@ -414,6 +423,28 @@ fn steps(name: &str, curve: &Curve, found: &mut Findings) {
             at_stall: at_stall.is_some(),
         });
     }
+}
+
+/// The widest step at small angles if it is much wider than most others there, as in a polar of which some
+/// angles did not converge.
+fn skipped(name: &str, curve: &Curve) -> Option<AirfoilRemark> {
+    let steps = curve
+        .alpha
+        .windows(2)
+        .filter_map(|step| step.first_chunk::<2>());
+    let mut steps: Vec<_> = steps
+        .filter(|step| step.iter().all(|angle| angle.abs() <= ATTACHED))
+        .collect();
+    let width = |step: &[f64; 2]| step[1] - step[0];
+    steps.sort_by(|a, b| width(a).total_cmp(&width(b)));
+    let (widest, median) = (*steps.last()?, *steps.get(steps.len() / 2)?);
+    let is_wide = width(widest) > SKIPPED[0] && width(widest) > SKIPPED[1] * width(median);
+    is_wide.then(|| AirfoilRemark::Skipped {
+        curve: name.to_owned(),
+        from_deg: degrees(widest[0]),
+        to_deg: degrees(widest[1]),
+        usual_deg: degrees(width(median)),
+    })
 }
 
 #[cfg(test)]

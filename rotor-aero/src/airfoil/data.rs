@@ -1,5 +1,7 @@
 //! The content of an airfoil table, as files and formulas give it.
 
+use crate::real::Real;
+
 /// A coefficient over the angle of attack, at one Mach number, Reynolds number and deflection.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
@@ -52,4 +54,15 @@ pub struct Coefficients<T> {
     pub drag: T,
     /// Moment about the quarter chord, nose up positive \[-\].
     pub moment: T,
+}
+
+impl<T: Real> Coefficients<T> {
+    /// All times a factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            lift: self.lift * factor,
+            drag: self.drag * factor,
+            moment: self.moment * factor,
+        }
+    }
 }

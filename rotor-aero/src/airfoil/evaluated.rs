@@ -1,5 +1,7 @@
 //! The evaluated airfoil.
 
+use std::sync::Arc;
+
 use nalgebra::Vector4;
 use num_dual::{Derivative, DualSVec64};
 
@@ -9,6 +11,7 @@ use super::cubic::Interpolation;
 use super::data::{AirfoilData, Coefficients, Curve, Flow};
 use super::formula::{FlatPlate, LinearLift};
 use super::problem::{AirfoilProblem, AirfoilRemark};
+use super::stall_delay::StallDelay;
 use super::table::{Slopes, Table};
 use crate::real::Real;
 
@@ -29,6 +32,8 @@ pub struct Airfoil {
     law: Law,
     remarks: Vec<AirfoilRemark>,
     unsteady: UnsteadyConstants,
+    /// The table as given, unless its stall must not be delayed.
+    source: Option<(Arc<AirfoilData>, Interpolation)>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -78,6 +83,7 @@ impl Airfoil {
             law: Law::Table(Box::new(tables)),
             remarks: checked.remarks,
             unsteady: UnsteadyConstants::default(),
+            source: Some((Arc::new(data.clone()), interpolation)),
         })
     }
 
@@ -100,7 +106,31 @@ impl Airfoil {
             law,
             remarks: Vec::new(),
             unsteady: UnsteadyConstants::default(),
+            source: None,
         }
+    }
+
+    /// The same, whose stall is not delayed again.
+    #[must_use]
+    pub fn without_stall_delay(self) -> Self {
+        Self {
+            source: None,
+            ..self
+        }
+    }
+
+    /// Whether it has a table whose stall may be delayed.
+    pub fn has_stall_delay(&self) -> bool {
+        self.source.is_some()
+    }
+
+    /// The airfoil with delayed stall; `None` if it has no such table, or no lift to delay.
+    pub(crate) fn with_stall_delay(&self, delay: &StallDelay) -> Option<Self> {
+        let (data, interpolation) = self.source.as_ref()?;
+        let delayed = data.with_stall_delay(delay).ok()?;
+        let found = Self::new(&delayed, *interpolation).ok()?;
+        let found = found.with_unsteady(self.unsteady.clone());
+        Some(found.with_thickness(self.thickness).without_stall_delay())
     }
 
     /// The same with constants of unsteady models.

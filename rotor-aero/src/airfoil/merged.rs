@@ -41,6 +41,7 @@ impl Finding for AirfoilRemark {
             | Self::EndsDiffer { curve, .. }
             | Self::SingleMach { curve }
             | Self::WideStep { curve, .. }
+            | Self::Skipped { curve, .. }
             | Self::NegativeDrag { curve, .. } => Some(curve),
         }
     }

@@ -294,6 +294,21 @@ pub enum AirfoilRemark {
         /// Whether it includes angles at which the flow is attached or stalls.
         at_stall: bool,
     },
+    /// Rows that are missing among others at small angles.
+    #[error(
+        "{curve}: no values between {from_deg} and {to_deg} deg, where steps are {usual_deg} deg: rows seem \
+         to be missing, between which the curve is only a guess"
+    )]
+    Skipped {
+        /// Curve.
+        curve: String,
+        /// Start of the step \[deg\].
+        from_deg: f64,
+        /// End of the step \[deg\].
+        to_deg: f64,
+        /// Median step there \[deg\].
+        usual_deg: f64,
+    },
     /// Drag below zero.
     #[error("{curve}: the drag coefficient is {value} at {angle_deg} deg")]
     NegativeDrag {

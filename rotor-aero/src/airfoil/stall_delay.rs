@@ -8,7 +8,9 @@
 //! Snel:       h = 3 (c/r)^2, without drag
 //! ```
 //!
-//! Above 30 deg the factor fades with `((90 deg - a)/(60 deg))^2` to zero at 90 deg, on both sides.
+//! The drag at negative angles is the one of the section upside down.
+//! The factor is at most 1, which is the line: chords at a root may be longer than their radius.
+//! Above 30 deg it fades with `((90 deg - a)/(60 deg))^2` to zero at 90 deg, on both sides.
 //! A lift that contains the delay must not be corrected again: most public tables of wind
 //! turbines do.
 //!
@@ -56,6 +58,9 @@ pub struct StallDelay {
 }
 
 impl StallDelay {
+    /// Usual angles of the fit: -5 and 5 deg \[rad\].
+    pub const USUAL_FIT: [f64; 2] = [-PI / 36.0, PI / 36.0];
+
     /// Du and Selig's lift with Eggers' drag; lift is fitted from -5 to 5 deg.
     pub fn du_selig(chord_ratio: f64, radius_ratio: f64, speed_ratio: f64) -> Self {
         let law = StallDelayLaw::DuSelig {
@@ -71,18 +76,23 @@ impl StallDelay {
     }
 
     fn of(law: StallDelayLaw, chord_ratio: f64) -> Self {
-        let limit = 5.0_f64.to_radians();
         Self {
             law,
             chord_ratio,
-            fit: [-limit, limit],
+            fit: Self::USUAL_FIT,
         }
+    }
+
+    /// The same with the lift fitted between these angles \[rad\].
+    #[must_use]
+    pub fn with_fit(self, fit: [f64; 2]) -> Self {
+        Self { fit, ..self }
     }
 
     /// The factor h up to 30 deg, for a slope of lift.
     fn factor(&self, slope: f64) -> f64 {
         let ratio = self.chord_ratio;
-        match self.law {
+        let factor = match self.law {
             StallDelayLaw::DuSelig {
                 speed_ratio,
                 radius_ratio,
@@ -91,7 +101,8 @@ impl StallDelay {
                 (1.6 * ratio / 0.1267 * (1.0 - x) / (1.0 + x) - 1.0) / slope
             }
             StallDelayLaw::Snel => 3.0 * ratio * ratio,
-        }
+        };
+        factor.min(1.0)
     }
 
     fn is_possible(&self) -> bool {
@@ -195,8 +206,9 @@ fn delayed_drag(drag: &[Curve], lift: &Curve, law: StallDelayLaw) -> Option<Curv
     }
     let mut drag = matching(drag, lift)?.clone();
     for (angle, value) in drag.alpha.iter().zip(drag.values.iter_mut()) {
-        let (sin, cos) = angle.sin_cos();
-        let ratio = (sin - 0.12 * cos) / (cos + 0.12 * sin);
+        // The formula is for positive angles, and has a pole at -83 deg.
+        let (sin, cos) = angle.abs().sin_cos();
+        let ratio = angle.signum() * (sin - 0.12 * cos) / (cos + 0.12 * sin);
         let increment = on_lines(lift, *angle);
         *value += if increment == 0.0 {
             0.0

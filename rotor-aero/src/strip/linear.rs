@@ -27,8 +27,9 @@ const SHAFT: usize = 4;
 const RADIUS: usize = 7;
 /// Column of the deflection of the flap.
 const FLAP: usize = 9;
-/// Variables of an annulus before its own unknowns: velocities along n and against t, radii, forces.
-const OF_RING: usize = 6;
+/// Variables of an annulus before its own unknowns: velocities along n and against t, radii, forces, and the
+/// velocity that is induced at the section.
+const OF_RING: usize = 7;
 /// Variables of a section before its own states: velocity and pitch rate.
 const OF_SECTION: usize = 3;
 
@@ -318,8 +319,11 @@ impl Strip {
         let force = [along(n, &forces.values), along(t, &forces.values)];
         let mut numbers = [0.0; N];
         let radii = [at.flow[RADIUS], at.flow[RADIUS + 1]];
-        numbers[..OF_RING]
+        // The steady state has its own velocity, and all others the first unknown of the strip.
+        let local = if first < LAGGED { 0 } else { first };
+        numbers[..OF_RING - 1]
             .copy_from_slice(&[axial, rotation, radii[0], radii[1], force[0], force[1]]);
+        numbers[OF_RING - 1] = at.states[local];
         numbers[OF_RING..OF_RING + count].copy_from_slice(&at.states[first..first + count]);
         numbers[OF_RING + count..].copy_from_slice(&at.rates[first..first + of_rates]);
         let of = variables(numbers);
@@ -331,6 +335,7 @@ impl Strip {
             },
             radii: [of[2], of[3]],
             force: [of[4], of[5]],
+            local: of[6],
         };
         let ring = Ring::new(inflow, air.still.density, ring_flow);
         let (induced, rates) = of[OF_RING..].split_at(count);
@@ -350,6 +355,7 @@ impl Strip {
                 *slope = x * of_x + y * of_y;
             }
             add_flow(row, &by, ([axial, rotation], force), (at.flow, [n, t]));
+            row[FLOW + local] += by[OF_RING - 1];
             let (own, rates) = by[OF_RING..].split_at(count);
             for (i, slope) in own.iter().enumerate() {
                 row[FLOW + first + i] += slope;

@@ -13,7 +13,8 @@ use crate::momentum::{HighInduction, Options};
 use crate::wake::{Forcing, TimeScale};
 use crate::wind::Atmosphere;
 
-/// Every inflow: none, of a disk, of annuli in equilibrium and with dynamic wakes, and distributed.
+/// Every inflow: none, of a disk, of annuli in equilibrium and with dynamic wakes, and distributed; with
+/// and without drag.
 fn inflows() -> Vec<Option<StripInflow>> {
     let annular = |wake, high_induction| AnnularInflow {
         blades: 3,
@@ -33,7 +34,15 @@ fn inflows() -> Vec<Option<StripInflow>> {
         Wake::Dynamic(TimeScale::Turbine, Forcing::Steady),
         HighInduction::Buhl,
     );
+    let without_drag = |mut inflow: AnnularInflow, axial_drag: bool| {
+        inflow.options.axial_drag = axial_drag;
+        inflow.options.tangential_drag = false;
+        inflow
+    };
     vec![
+        Some(StripInflow::Annular(without_drag(dynamic, true))),
+        Some(StripInflow::Distributed(without_drag(steady, false))),
+        Some(StripInflow::Distributed(without_drag(forced, false))),
         None,
         Some(StripInflow::Disk),
         Some(StripInflow::Annular(steady)),

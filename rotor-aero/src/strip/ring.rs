@@ -10,6 +10,12 @@
 //! steady         u_s m(u_s) - u_qs(u_s, v_s) m(u_s) = 0          the same of v_s
 //! ```
 //!
+//! A drag that is switched off has no part in f: with the velocity w of the section against the air,
+//!
+//! ```text
+//! f - (f . w) w/|w|^2
+//! ```
+//!
 //! The lagged velocities follow (u_qs, v_qs), or the steady state (u_s, v_s), whose forces are by static
 //! coefficients,
 //! with the rates w' and y'_f of the two stages of the filter ([`crate::wake::rates`]), times the
@@ -33,6 +39,8 @@ pub(super) struct Ring<'a, T> {
     tip_radius: T,
     /// `B f / (4 pi r rho)` along n and t \[m^2/s^2\].
     load: [T; 2],
+    /// Velocity induced at the section along n \[m/s\].
+    local: T,
 }
 
 /// Flow and forces of the section in an annulus.
@@ -43,11 +51,14 @@ pub(super) struct RingFlow<T> {
     pub radii: [T; 2],
     /// Force per length along n and t [N/m].
     pub force: [T; 2],
+    /// Velocity induced at the section along n: of the annulus, or of its distribution [m/s].
+    pub local: T,
 }
 
 impl<T: Real> RingFlow<T> {
-    /// Of a strip with the in-plane axes n and t, and the force per length in the airfoil axes [N/m].
-    pub fn of(flow: &StripFlow<T>, axes: &[[T; 2]; 2], force: &[T; 2]) -> Self {
+    /// Of a strip with the in-plane axes n and t, the force per length in the airfoil axes [N/m], and the
+    /// velocity along n that is induced at it [m/s].
+    pub fn of(flow: &StripFlow<T>, axes: &[[T; 2]; 2], force: &[T; 2], local: T) -> Self {
         let along = |axis: &[T; 2], of: [T; 2]| axis[0] * of[0] + axis[1] * of[1];
         let velocity = [flow.velocity[0], flow.velocity[1]];
         Self {
@@ -58,6 +69,7 @@ impl<T: Real> RingFlow<T> {
             },
             radii: [flow.radius, flow.tip_radius],
             force: [0, 1].map(|i| along(&axes[i], *force)),
+            local,
         }
     }
 }
@@ -79,7 +91,25 @@ impl<'a, T: Real> Ring<'a, T> {
             radius,
             tip_radius,
             load: flow.force.map(|force| scale * force),
+            local: flow.local,
         }
+    }
+
+    /// The load without the drag that is switched off, at a velocity v around the shaft \[m^2/s^2\].
+    fn inducing(&self, v: T) -> [T; 2] {
+        let options = &self.inflow.options;
+        let [normal, tangential] = self.load;
+        if options.axial_drag && options.tangential_drag {
+            return self.load;
+        }
+        let [x, y] = [self.ambient.axial + self.local, self.ambient.rotation - v];
+        // Smooth where the section is at rest.
+        let drag = (normal * x - tangential * y) / (x * x + y * y + 1e-12);
+        let kept = |on: bool, load: T, drag: T| if on { load } else { load - drag };
+        [
+            kept(options.axial_drag, normal, drag * x),
+            kept(options.tangential_drag, tangential, -drag * y),
+        ]
     }
 
     /// Factor of loss at the induced velocities.
@@ -122,9 +152,10 @@ impl<'a, T: Real> Ring<'a, T> {
         let loss = self.loss(u, v);
         let options = &self.inflow.options;
         let mass = mass_flow_by(options.high_induction, &self.ambient, u, loss);
-        let axial = self.load[0] / loss;
+        let [axial, swirl] = self.inducing(v);
+        let axial = axial / loss;
         let swirl = if options.swirl {
-            self.load[1] / loss
+            swirl / loss
         } else {
             T::from(0.0)
         };

@@ -38,15 +38,16 @@ impl Strip {
             options: inflow.options,
         };
         let section = |alpha: f64| {
-            self.polar.coefficients(&Flow {
+            let found = self.polar.coefficients(&Flow {
                 mach: speed / air.still.sound_speed,
                 reynolds: speed * (self.chord * air.still.density / air.still.viscosity),
                 alpha,
                 flap: 0.0,
-            })
+            });
+            found.scaled(air.part)
         };
         let found = solve(&annulus, n[0].atan2(n[1]), along(n), -along(t), section);
-        if air.part != 1.0 || found.outcome != Outcome::Solved {
+        if air.part == 0.0 || found.outcome != Outcome::Solved {
             return;
         }
         let [u, v] = [found.axial, found.swirl];

@@ -151,6 +151,7 @@ impl Explain for ExchangeProblem {
             Self::Count { separator, .. } => Some(format!(
                 "columns are separated by {separator}; see the page on formats"
             )),
+            Self::NotANumber { .. } => Some("write a number, as 0.25 or 1e-3".to_owned()),
             Self::NoFolder { folder, .. } => Some(folder.help()),
             Self::NoFile { name, known, .. } => Some(nearest_file(name, known)),
             Self::Order { .. } => {

@@ -164,7 +164,14 @@ fn changed(
 ) -> Option<Airfoil> {
     let name = data.name.clone();
     match changes.apply(data) {
-        Ok(data) => airfoil_files::checked(&data, at, remarks),
+        Ok(data) => {
+            let found = airfoil_files::checked(&data, at, remarks)?;
+            Some(if changes.delays_stall() {
+                found.without_stall_delay()
+            } else {
+                found
+            })
+        }
         Err(problems) => {
             for problem in problems {
                 airfoil_files::note(&name, problem, at);
@@ -197,6 +204,11 @@ impl Airfoils {
     /// Whether the name is one of `[airfoils]`.
     pub fn has_own(&self, name: &str) -> bool {
         self.named.iter().any(|named| named.0 == name)
+    }
+
+    /// Names of the airfoils of the file.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named.iter().map(|named| named.0.as_str())
     }
 
     /// Adds an airfoil, unless its name is known; `None` for a wrong one.

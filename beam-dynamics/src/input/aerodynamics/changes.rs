@@ -2,15 +2,18 @@
 
 use rotor_aero::airfoil::{AirfoilData, AirfoilProblem, StallDelay, Viterna};
 use shared_geom::document::schema::ValueKind::{
-    Boolean, NotNegative, Positive, Table as OneTable, Word,
+    Boolean, NotNegative, Positive, Quantities, Table as OneTable, Word,
 };
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
 keys! {
-    /// Delay of stall by rotation, of a table of two-dimensional flow: `stall_delay = { ... }`.
+    /// Delay of stall by rotation, of a table of two-dimensional flow, for one station; blades have a
+    /// `stall_delay` for all their stations.
     pub(super) STALL_DELAY: ByHand = "stall_delay", [OneTable(&STALL_DELAY_CARD)], optional, "";
+    /// Angles between which the line of attached lift is fitted.
+    pub(super) FIT: Option<Vec<f64>> = "fit", [Quantities(Dimension::ANGLE)], or "[-5, 5]", "[0, 5]";
     /// Extension of a table to the full circle by Viterna and Corrigan: `true`, or its constants.
     pub(super) VITERNA: ByHand = "viterna", [Boolean, OneTable(&VITERNA_CARD)], or "false", "true";
     /// Factor of Prandtl and Glauert on lift and moment of a table without Mach numbers or of one, or
@@ -42,6 +45,7 @@ keys! {
     RADIUS_RATIO: f64 = "radius_ratio", [Positive(Dimension::NUMBER)], or "0.5" = 0.5, "0.4";
     /// Speed of the tip by rotation over its speed in the air; not for Snel.
     SPEED_RATIO: f64 = "speed_ratio", [Positive(Dimension::NUMBER)], or "1" = 1.0, "0.98";
+    with FIT.schema;
 }
 
 /// Changes of a table, in the order in which they are made.
@@ -95,18 +99,39 @@ fn viterna(table: &Table<'_>) -> Option<Viterna> {
 fn stall_delay(table: &Table<'_>) -> Option<StallDelay> {
     let (law, chord) = (table.get(&LAW), table.get(&CHORD_RATIO));
     let (radius, speed) = (table.get(&RADIUS_RATIO), table.get(&SPEED_RATIO));
+    let fit = fit(table);
     table.finish();
     let (chord, radius, speed) = (chord?, radius?, speed?);
-    Some(match law? {
+    let delay = match law? {
         0 => StallDelay::du_selig(chord, radius, speed),
         _ => StallDelay::snel(chord),
-    })
+    };
+    Some(delay.with_fit(fit?))
+}
+
+/// Reads the angles of a fit \[rad\].
+pub(super) fn fit(table: &Table<'_>) -> Option<[f64; 2]> {
+    let Some(angles) = table.get(&FIT)? else {
+        return Some(StallDelay::USUAL_FIT);
+    };
+    match angles[..] {
+        [from, to] if from < to => Some([from, to]),
+        _ => {
+            table.wrong(&FIT, "two angles, the smaller one first");
+            None
+        }
+    }
 }
 
 impl Changes {
     /// Whether the table has a change.
     pub fn is_any(&self) -> bool {
         self.of_table().is_some() || self.mach_limit.is_some()
+    }
+
+    /// Whether its stall is delayed.
+    pub fn delays_stall(&self) -> bool {
+        self.stall_delay.is_some()
     }
 
     /// Whether the section is turned upside down.

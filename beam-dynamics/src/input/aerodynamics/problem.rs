@@ -48,6 +48,23 @@ pub enum StripProblem {
         /// The key that it belongs to, as text.
         needed: String,
     },
+    /// A delay of stall that changes no airfoil.
+    #[error(
+        "\"stall_delay\" has no effect on {names}: airfoils without a table of stall, or with a \"stall_delay\" \
+         of their own"
+    )]
+    NoStallDelay {
+        /// Names of the airfoils.
+        names: String,
+    },
+    /// A delay of stall on a line that does not turn.
+    #[error(
+        "strip \"{user}\" has \"stall_delay\" without \"inflow\", which gives the shaft about which it turns"
+    )]
+    DelayWithoutRotor {
+        /// Name of the card of strips.
+        user: String,
+    },
     /// A rotor in ground effect at or below the ground.
     #[error(
         "inflow \"{name}\" has its ground at {} m along the vertical, and the center of the rotor is at \
@@ -207,6 +224,10 @@ impl Explain for StripProblem {
             Self::NoSpan => Some("give both ends of the span, or beams of an open line".to_owned()),
             Self::ForwardAlong => Some("\"forward\" points toward the leading edge".to_owned()),
             Self::Mach { .. } => Some(LARGER_TABLES.to_owned()),
+            Self::NoStallDelay { .. } => {
+                Some("remove it, or give tables of two-dimensional flow".into())
+            }
+            Self::DelayWithoutRotor { .. } => Some("add \"inflow\", or remove it".to_owned()),
             Self::FewStations { .. } => None,
         }
     }

@@ -67,6 +67,10 @@ pub(super) struct FileBlade {
     pub hub_radius: Option<f64>,
     /// Radius of the tip, if known \[m\].
     pub tip_radius: Option<f64>,
+    /// Cone, tips upwind positive, if known \[rad\].
+    pub cone: Option<f64>,
+    /// Tilt of the shaft, if known \[rad\].
+    pub tilt: Option<f64>,
 }
 
 /// Reads the file that a card names.
@@ -110,6 +114,8 @@ pub(super) fn read(
         blades: blade.blades,
         hub_radius: blade.hub_radius,
         tip_radius: blade.tip_radius,
+        cone: blade.cone,
+        tilt: blade.tilt,
     })
 }
 

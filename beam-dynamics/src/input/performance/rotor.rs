@@ -16,6 +16,8 @@ use super::stations;
 use crate::case::{MachineKind, linear_between};
 use crate::input::aerodynamics::Airfoils;
 use crate::input::aerodynamics::family::{self, FAMILY};
+use crate::input::aerodynamics::rotor_delay::{self, BLADE_STALL_DELAY};
+use crate::input::short_number;
 
 keys! {
     /// The rotor.
@@ -34,7 +36,7 @@ keys! {
     TIP_RADIUS: Option<f64> = "tip_radius", [Positive(Dimension::LENGTH)],
         or "by `file`, or the last station", "63";
     /// Angle of the blades to the plane of rotation, tips upwind positive.
-    PRECONE: f64 = "precone", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "2.5";
+    PRECONE: Option<f64> = "precone", [Quantity(Dimension::ANGLE)], or "by `file`, or 0", "2.5";
     /// Angle of the shaft to the horizon, upwind end up positive.
     TILT: f64 = "tilt", [Quantity(Dimension::ANGLE)], or "0" = 0.0, "5";
     /// Angle of the shaft to the wind about the vertical axis.
@@ -59,7 +61,7 @@ keys! {
     /// of the last table.
     pub(super) OUTSIDE_MACH: usize = "outside_mach", [Word(&["refuse", "hold"])],
         or "\"refuse\"" = 0, "\"hold\"";
-    with FAMILY.schema, blade_file::FILE.schema, blade_file::AIRFOIL.schema, blade_file::AIRFOILS.schema,
+    with BLADE_STALL_DELAY.schema, FAMILY.schema, blade_file::FILE.schema, blade_file::AIRFOIL.schema, blade_file::AIRFOILS.schema,
         blade_file::AIRFOIL_FILE.schema, blade_file::SET.schema, blade_file::TWIST_RADII.schema,
         blade_file::TWIST.schema, blade_file::GEOMETRY_RADIUS.schema;
 }
@@ -100,13 +102,14 @@ pub(super) fn read(
     let machine = table.get(&MACHINE).map(kind);
     let (blades, sectors) = (table.get(&BLADES), table.get(&SECTORS));
     let ends = (table.get(&HUB_RADIUS), table.get(&TIP_RADIUS));
-    let angles = [&PRECONE, &TILT, &YAW].map(|key| table.get(key));
+    let (precone, angles) = (table.get(&PRECONE), [&TILT, &YAW].map(|key| table.get(key)));
     let (hub_height, shear) = (table.get(&HUB_HEIGHT), table.get(&SHEAR));
     let outside = table.get(&OUTSIDE_MACH);
     let panels = panels(table);
+    let delay = rotor_delay::read(table);
     let blade = blade(table, (machine.unwrap_or_default(), airfoils), remarks);
     table.finish();
-    let [precone, tilt, yaw] = angles;
+    let [tilt, yaw] = angles;
     let (ends, blades) = ((ends.0?, ends.1?), blades?);
     let mut blade = blade?;
     let count = blades.or(blade.blades);
@@ -117,7 +120,18 @@ pub(super) fn read(
     let [hub_radius, tip_radius] = radii(table, ends, &mut blade)?;
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
-    let (precone, hub_height) = (precone?, hub_height?);
+    let precone = precone?.or(blade.cone).unwrap_or_default();
+    let hub_height = hub_height?;
+    if let Some(of_file) = blade
+        .tilt
+        .filter(|of_file| *of_file != 0.0 && !table.has(&TILT))
+    {
+        let shown = short_number(of_file.to_degrees(), 4);
+        remarks.push(format!(
+            "[rotor]: the shaft of the file of the blade has a tilt of {shown} deg, which is not used: give \
+             \"tilt\" if it counts"
+        ));
+    }
     let flow = Flow {
         precone,
         is_axial: tilt == 0.0 && yaw == 0.0 && shear == 0.0,
@@ -143,11 +157,20 @@ pub(super) fn read(
         skewed_wake: momentum.skewed_wake,
         sectors,
     };
+    let delay = delay?;
+    if delay.is_some() {
+        let sections = rotor.stations.iter().map(|station| &station.section);
+        rotor_delay::check(table, sections, "[rotor]", remarks)?;
+    }
+    let rotor = with_panels(rotor, panels?, table)?;
     Some(Rotor {
         machine,
         shear,
         holds_mach: outside? == 1,
-        rotor: with_panels(rotor, panels?, table)?,
+        rotor: match delay {
+            Some(delay) => rotor.with_stall_delay(&delay),
+            None => rotor,
+        },
     })
 }
 
@@ -255,6 +278,8 @@ fn blade(
                 blades: None,
                 hub_radius: None,
                 tip_radius: None,
+                cone: None,
+                tilt: None,
             });
         }
         (false, Some(file)) => {

@@ -21,9 +21,9 @@ use shared_geom::units::Dimension;
 use super::rotor::{self, Rotor};
 use super::stations::{self, Between};
 use super::{
-    FAMILY, FLAPS, INFLOW_NAME, LineAir, POINTS, PlacedBeam, RADIAL_DRAG, SECTION, SECTIONS,
-    STATIONS, StripsInflow, airfoil_axes, deflected, elements, ends, flaps, place, placed_beams,
-    point_at, strip_rotor, strips, unused,
+    BLADE_STALL_DELAY, FAMILY, FLAPS, INFLOW_NAME, LineAir, OnRotor, POINTS, PlacedBeam,
+    RADIAL_DRAG, SECTION, SECTIONS, STATIONS, airfoil_axes, deflected, delay, elements, ends,
+    flaps, place, placed_beams, point_at, strip_rotor, strips, unused,
 };
 use crate::elements::strips::{Air, AirStrip, StripGeometry, StripRotor};
 use crate::input::aerodynamics::StripProblem;
@@ -48,7 +48,7 @@ keys! {
     /// line times this direction (cross product).
     FORWARD: Vector3<f64> = "forward", [Vector(3, Dimension::NUMBER)], required, "[1, 0, 0]";
     with INFLOW_NAME.schema, IN.schema, BEAMS.schema, SECTION.schema, POINTS.schema,
-        RADIAL_DRAG.schema, STATIONS.schema, FAMILY.schema, FLAPS.schema;
+        RADIAL_DRAG.schema, BLADE_STALL_DELAY.schema, STATIONS.schema, FAMILY.schema, FLAPS.schema;
 }
 
 /// Lines of strips shorter than this part of the distance of their ends from the node are
@@ -89,12 +89,16 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         let airfoils = &builder.aerodynamics().airfoils;
         stations::read(table, airfoils, (&words, f64::INFINITY));
         flaps::read(table, None, builder.drives());
+        delay(table, None, &words, &mut Vec::new());
         return None;
     };
     let (span, length) = line.span(builder);
     let airfoils = &builder.aerodynamics().airfoils;
     let stations = stations::read(table, airfoils, (&words, length));
     let flaps = flaps::read(table, stations.as_ref(), builder.drives());
+    let mut remarks = Vec::new();
+    let delay = delay(table, stations.as_ref(), &words, &mut remarks);
+    builder.add_remarks(remarks);
     let (forward, frame) = (forward?, frame?);
     let forward = match line {
         Line::Body(..) => forward,
@@ -106,6 +110,15 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         Some(name) => Some(rotor(&name, table, (label, words), builder)?),
         None => None,
     };
+    let delay = delay?;
+    if delay.is_some() && rotor.is_none() {
+        let user = label.to_owned();
+        table.note(
+            &BLADE_STALL_DELAY,
+            &StripProblem::DelayWithoutRotor { user },
+        );
+        return None;
+    }
     let (model, stations) = (SectionModel::of_word(SECTIONS.get(section?)?)?, stations?);
     let unused = unused::remark(&user, &model, stations.sections());
     builder.add_remarks(unused.into_iter().collect());
@@ -115,6 +128,7 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         model,
         points: points?,
         radial_drag: radial_drag?,
+        delay,
     };
     add((&air, &axes), (label, &line), rotor.as_ref(), builder)
 }
@@ -235,31 +249,16 @@ fn add(
     builder: &mut ModelBuilder,
 ) -> Option<()> {
     let still = builder.aerodynamics().air.clone()?;
-    let (mut length, mut inflow, mut of_strip) =
-        (line.span(builder).1, StripsInflow::default(), None);
+    let (mut length, mut of_strip) = (line.span(builder).1, None);
     if let Some(rotor) = rotor {
         let tip = line.tip(builder);
         let node = &builder.nodes()[tip.0];
         length = rotor.distance(&(node.position + node.rotation * tip.1));
-        // The inflow has the number of blades if it needs it.
-        inflow = StripsInflow::new((rotor, &air.stations), (1, length), |at| {
-            rotor.distance(&line.point(at, builder))
-        });
         let disk = rotor.disk(length, builder);
         of_strip = Some(strip_rotor(label, (rotor, disk), tip, builder));
     }
     let of = (of_strip.as_ref(), &still);
-    let strips: Vec<_> = match line {
-        Line::Beams(beams) => {
-            let strips = strips(air, (axes, beams), builder, &inflow);
-            let elements = elements(label, (beams, &strips), of, builder);
-            let spans = strips.iter().map(|strip| strip.span);
-            elements.into_iter().zip(spans).collect()
-        }
-        Line::Body(node, ends) => {
-            on_body((air, axes), (label, *node, ends), (&inflow, of), builder)
-        }
-    };
+    let strips = along((air, axes), (label, line), (rotor, length), of, builder);
     let limits = rotor.map(|rotor| {
         let radius = |at| rotor.distance(&line.point(at, builder));
         air.stations.mach_limits(radius)
@@ -269,15 +268,42 @@ fn add(
     Some(())
 }
 
+/// The strips of a line, with their positions \[m\]; `length` is the radius of its tip \[m\].
+fn along(
+    (air, axes): (&LineAir, &Matrix3<f64>),
+    (label, line): (&str, &Line),
+    (rotor, length): (Option<&Rotor>, f64),
+    of: (Option<&StripRotor>, &Arc<Air>),
+    builder: &ModelBuilder,
+) -> Vec<(AirStrip, f64)> {
+    // The inflow has the number of blades if it needs it.
+    let on_rotor = rotor.map(|rotor| {
+        let radius = |at| rotor.distance(&line.point(at, builder));
+        OnRotor::new((rotor, &air.stations), (1, length), radius)
+    });
+    let on_rotor = on_rotor.unwrap_or_default();
+    match line {
+        Line::Beams(beams) => {
+            let strips = strips(air, (axes, beams), builder, &on_rotor);
+            let elements = elements(label, (beams, &strips), of, builder);
+            let spans = strips.iter().map(|strip| strip.span);
+            elements.into_iter().zip(spans).collect()
+        }
+        Line::Body(node, ends) => {
+            on_body((air, axes), (label, *node, ends), (&on_rotor, of), builder)
+        }
+    }
+}
+
 /// The strips of a line on a node, with their positions \[m\].
 fn on_body(
     (air, axes): (&LineAir, &Matrix3<f64>),
     (label, node, [from, to]): (&str, usize, &[Vector3<f64>; 2]),
-    (inflow, (rotor, still)): (&StripsInflow, (Option<&StripRotor>, &Arc<Air>)),
+    (on_rotor, (rotor, still)): (&OnRotor<'_>, (Option<&StripRotor>, &Arc<Air>)),
     builder: &ModelBuilder,
 ) -> Vec<(AirStrip, f64)> {
     let (span, length) = ((to - from).normalize(), (to - from).norm());
-    let points = air.points([0.0, length], inflow.end).into_iter();
+    let points = air.points([0.0, length], on_rotor.end).into_iter();
     let strip = |(number, (position, length, between)): (usize, (f64, f64, Between))| {
         let (offset, axes) = airfoil_axes(&between, axes, &span);
         let geometry = StripGeometry {
@@ -285,7 +311,7 @@ fn on_body(
             axes,
             length,
         };
-        let (strip, flap) = air.strip(position, between, inflow);
+        let (strip, flap) = air.strip(position, &between, on_rotor);
         let element = AirStrip::on_body(
             format!("{label}/strip {}", number + 1),
             (node, &builder.nodes()[node], from + span * position),

@@ -3,6 +3,7 @@
 //! Based on the reason, the history of the iteration, the latest accepted state, the times at which
 //! drives have values, and the elements without a value at the last trial state.
 
+use rotor_aero::strip::INDUCED_VELOCITY;
 use shared_geom::units::rounded;
 
 use crate::analysis::transient::energy::Finding;
@@ -113,6 +114,7 @@ impl<'a> FailureContext<'a> {
             .or_else(|| self.beyond_numbers())
             .or_else(|| self.grown())
             .or_else(without_value)
+            .or_else(|| self.in_stall())
             .or_else(|| self.turned_far())
             .unwrap_or_else(|| match (self.failure.reason, &self.failure.local_error) {
                 (Reason::LocalError, Some(error)) => self.inexact(error),
@@ -264,6 +266,26 @@ impl<'a> FailureContext<'a> {
             }
         };
         Cause::new(format!("\"{}\" {what}", element.label()), &[remedy])
+    }
+
+    /// Induced velocities without a value near the last ones.
+    fn in_stall(&self) -> Option<Cause> {
+        let name = &self.failure.equation;
+        let is_iteration = !matches!(self.failure.reason, Reason::LocalError | Reason::NotFinite);
+        (is_iteration && name.what.contains(INDUCED_VELOCITY)).then(|| {
+            let owner = &name.owner;
+            Cause::new(
+                format!(
+                    "the induced velocity at {owner} has no value near the last one: where a section \
+                     stalls, its lift falls as the angle of attack grows, and an annulus in equilibrium with \
+                     it jumps to another state"
+                ),
+                &[
+                    "give the inflow wake = \"dynamic\", whose velocities cannot jump",
+                    "give the sections a lag of stall, section = \"separation_lag\"",
+                ],
+            )
+        })
     }
 
     /// A node that turns too far in a step.

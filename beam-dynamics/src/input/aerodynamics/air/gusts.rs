@@ -25,10 +25,10 @@ keys! {
         or "required; without ramp for a sharp edge", "50";
     /// Direction in which it travels, model axes, of any length.
     DIRECTION: Option<Vector3<f64>> = "direction", [Vector(3, Dimension::NUMBER)],
-        or "the direction of the wind", "[1, 0, 0]";
+        or "the direction of the wind at time zero, at its reference height", "[1, 0, 0]";
     /// Speed at which it travels; zero for a gust at rest.
     SPEED: Option<f64> = "speed", [Quantity(Dimension::VELOCITY)],
-        or "the speed of the wind at time zero", "60";
+        or "the speed of the wind at time zero, at its reference height", "60";
     /// Time at which its front passes the point `at`.
     START: f64 = "start", [Quantity(Dimension::TIME)], or "0" = 0.0, "2";
     /// A point that its front passes at `start`.
@@ -50,18 +50,27 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
     let (speed, start, at) = (table.get(&SPEED), table.get(&START), table.get(&AT));
     table.finish();
     let shape = shaped(table, shape?, length?);
-    let MeanCard { frame, mean } = mean?;
+    let frame = &mean?.frame;
+    let wind = Vector3::from(mean?.velocity());
     let direction = match direction? {
-        None => [1.0, 0.0, 0.0],
-        Some(direction) => match direction.try_normalize(0.0) {
-            Some(direction) => frame.components(&direction),
-            None => {
+        None => of_wind(table, DIRECTION.name(), wind.try_normalize(0.0)),
+        Some(direction) => {
+            let direction = direction.try_normalize(0.0);
+            if direction.is_none() {
                 table.wrong(&DIRECTION, "a vector that is not zero");
-                return None;
             }
-        },
+            direction.map(|direction| frame.components(&direction).into())
+        }
     };
-    let convection = speed?.unwrap_or(mean.at(0.0).speed);
+    let convection = match speed? {
+        None => of_wind(
+            table,
+            SPEED.name(),
+            Some(wind.norm()).filter(|speed| *speed > 0.0),
+        ),
+        given => given,
+    };
+    let (direction, convection): ([f64; 3], f64) = (direction?.into(), convection?);
     let at = frame.point(&at?.into());
     let along: f64 = at.iter().zip(&direction).map(|(a, b)| a * b).sum();
     let gust = TravelingGust {
@@ -78,6 +87,15 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
             None
         }
     }
+}
+
+/// A default by the wind at time zero; noted where there is none.
+fn of_wind<T>(table: &Table<'_>, key: &'static str, found: Option<T>) -> Option<T> {
+    if found.is_none() {
+        let user = "a gust in an air that has no wind at time zero";
+        table.note(&SHAPE, &AirProblem::Missing { key, user });
+    }
+    found
 }
 
 fn shaped(table: &Table<'_>, shape: usize, length: Option<f64>) -> Option<GustShape> {

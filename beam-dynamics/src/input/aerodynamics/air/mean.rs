@@ -93,6 +93,12 @@ impl MeanCard {
         Ok(Self { frame, mean })
     }
 
+    /// Velocity at the reference height at time zero, axes of the wind \[m/s\].
+    pub fn velocity(&self) -> [f64; 3] {
+        let mean = self.mean.at(0.0);
+        mean.velocity(&[0.0, 0.0, mean.reference_height], 0.0)
+    }
+
     /// Speed along the wind at a height and a time \[m/s\].
     pub fn speed(&self, height: f64, time: f64) -> f64 {
         let mean = MeanWind {

@@ -14,7 +14,7 @@ use super::super::stations::Station;
 use super::problem::FileProblem;
 use super::{AIRFOIL_FILE, AIRFOILS, FILE, one_set};
 use crate::input::aerodynamics::family::position_between;
-use crate::input::aerodynamics::{Airfoils, StripProblem, airfoil_constants, checked_airfoil};
+use crate::input::aerodynamics::{Airfoils, airfoil_constants, checked_airfoil};
 
 /// An airfoil of the list.
 struct Entry {
@@ -41,7 +41,7 @@ pub(in crate::input) struct Pool<'a> {
     entries: Vec<Entry>,
     /// Number of entries before the ones of the file of the blade itself.
     given: usize,
-    /// Names that are noted as unknown.
+    /// Names that no airfoil has.
     unknown: Vec<String>,
 }
 
@@ -156,6 +156,7 @@ impl<'a> Pool<'a> {
             })
         });
         let sections: Vec<_> = sections.collect();
+        self.note_unknown(file);
         // Stations share their causes: the last of each kind, which has the largest index.
         for (at, problem) in problems.iter().enumerate() {
             let later = &problems[at + 1..];
@@ -196,7 +197,7 @@ impl<'a> Pool<'a> {
             StationAirfoil::Blend(parts) => {
                 let mut sections = Vec::new();
                 for (name, weight) in parts {
-                    let Some(section) = self.by_name(name, named, remarks) else {
+                    let Some(section) = self.by_name(name, remarks) else {
                         return Ok(None);
                     };
                     let weighted = section.parts();
@@ -260,9 +261,9 @@ impl<'a> Pool<'a> {
         airfoils
     }
 
-    /// The airfoil of a name: of the list, of `[airfoils]`, of the file of the blade, or built in. An
-    /// unknown one is noted once.
-    fn by_name(&mut self, name: &str, file: &str, remarks: &mut Vec<String>) -> Option<Section> {
+    /// The airfoil of a name: of the list, of `[airfoils]`, of the file of the blade, or built in. Unknown
+    /// ones are collected.
+    fn by_name(&mut self, name: &str, remarks: &mut Vec<String>) -> Option<Section> {
         let found = self.entries.iter().position(|entry| entry.name == name);
         let is_of_blade = found.is_some_and(|index| index >= self.given);
         if let Some(index) = found.filter(|_| !(is_of_blade && self.named.has_own(name))) {
@@ -275,22 +276,22 @@ impl<'a> Pool<'a> {
             return self.named.find(name, (self.table, FILE.name()), self.user);
         }
         self.unknown.push(name.to_owned());
-        if self.entries.is_empty() {
-            let user = format!("\"{file}\"");
-            return self.named.find(name, (self.table, FILE.name()), &user);
+        None
+    }
+
+    /// Notes the unknown names of a file together.
+    fn note_unknown(&self, file: &str) {
+        if self.unknown.is_empty() {
+            return;
         }
-        let problem = StripProblem::Unknown {
-            kind: "airfoil",
-            name: name.to_owned(),
-            user: format!("\"{file}\""),
-            known: self
-                .entries
-                .iter()
-                .map(|entry| entry.name.clone())
-                .collect(),
+        let own = self.entries.iter().map(|entry| entry.name.as_str());
+        let known = own.chain(self.named.names()).map(str::to_owned);
+        let problem = FileProblem::Unknown {
+            file: file.to_owned(),
+            names: self.unknown.clone(),
+            known: known.collect(),
         };
         self.table.note(&FILE, &problem);
-        None
     }
 
     /// The profiles of a set; all airfoils with a thickness if none has a set.

@@ -1,6 +1,6 @@
 //! Problems of aerodynamic blades from files.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, nearest_name};
 
 use crate::input::short_number;
 
@@ -54,6 +54,18 @@ pub(super) enum FileProblem {
         /// Number of airfoils.
         count: usize,
     },
+    #[error(
+        "unknown airfoil{} {} in \"{file}\"",
+        if names.len() > 1 { "s" } else { "" },
+        quoted(names)
+    )]
+    Unknown {
+        file: String,
+        /// Names without an airfoil.
+        names: Vec<String>,
+        /// Names of all airfoils.
+        known: Vec<String>,
+    },
     #[error("no airfoils for \"{file}\", expected \"airfoils\" or \"airfoil_file\"")]
     NoAirfoils { file: String },
     #[error(
@@ -80,6 +92,25 @@ pub(super) enum FileProblem {
     NoMatch { pattern: String },
 }
 
+fn quoted(names: &[String]) -> String {
+    let names: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    names.join(", ")
+}
+
+/// The remedy of unknown names: a name that is near to one of them, or the places of airfoils.
+fn remedy(names: &[String], known: &[String]) -> String {
+    let near = |name: &String| nearest_name(name, known.iter().map(String::as_str));
+    if let Some(near) = names.iter().find_map(near) {
+        return format!("did you mean \"{near}\"?");
+    }
+    let places = "the file has no polars of them: add airfoils = [\"polars/*.dat\"], airfoil_file = \
+                  \"pc.dat\", or tables [airfoils.NAME] of these names";
+    match known {
+        [] => places.to_owned(),
+        _ => format!("{places}; known: {}", known.join(", ")),
+    }
+}
+
 impl Explain for FileProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
@@ -102,6 +133,7 @@ impl Explain for FileProblem {
                  airfoil_file = \"pc.dat\", a file with all of them; airfoil = \"NAME\" of [rotor] is for all \
                  stations"
             }
+            Self::Unknown { names, known, .. } => return Some(remedy(names, known)),
             Self::NoSet { .. } => "add the pc file of HAWC2 as \"airfoil_file\"",
             Self::Thickness { help, .. } => return help.clone(),
             Self::NoMatch { .. } => "correct the pattern: * is any number of letters of a name",

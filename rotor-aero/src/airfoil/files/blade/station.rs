@@ -130,6 +130,10 @@ pub struct BladeAero {
     pub hub_radius: Option<f64>,
     /// Radius of the tip, if known \[m\].
     pub tip_radius: Option<f64>,
+    /// Cone of the blades, tips upwind positive, if known \[rad\].
+    pub cone: Option<f64>,
+    /// Tilt of the shaft, upwind end up positive, if known \[rad\].
+    pub tilt: Option<f64>,
     /// Airfoils that the same file has.
     pub airfoils: Vec<ReadAirfoil>,
     /// Polar of all stations, in files of QPROP.
@@ -149,6 +153,8 @@ impl BladeAero {
             blades: None,
             hub_radius: None,
             tip_radius: None,
+            cone: None,
+            tilt: None,
             airfoils: Vec::new(),
             polar: None,
             remarks: Vec::new(),

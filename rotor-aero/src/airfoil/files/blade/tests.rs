@@ -149,9 +149,9 @@ fn a_qprop_propeller_has_its_polar() {
     assert_eq!((polar.reynolds, polar.exponent), (70000.0, -0.7));
 }
 
-const VERSION_1: &str = "name: turbine\nassembly: {number_of_blades: 3, rotor_diameter: 100}\ncomponents:\n  hub:\n    outer_shape_bem: {diameter: 4.0}\n  blade:\n    outer_shape_bem:\n      airfoil_position: {grid: [0, 0.5, 1], labels: [a, b, b]}\n      chord: {grid: [0, 0.25, 1], values: [3, 4, 1]}\n      twist: {grid: [0, 1], values: [0.2, 0]}\n      pitch_axis: {grid: [0, 1], values: [0.5, 0.3]}\n      reference_axis:\n        x: {grid: [0, 1], values: [0, -4]}\n        y: {grid: [0, 1], values: [0, 1]}\n        z: {grid: [0, 1], values: [0, 48]}\n";
+const VERSION_1: &str = "name: turbine\nassembly: {number_of_blades: 3, rotor_diameter: 100}\ncomponents:\n  hub:\n    outer_shape_bem: {diameter: 4.0, cone_angle: 0.05}\n  nacelle: {drivetrain: {uptilt: 0.1}}\n  blade:\n    outer_shape_bem:\n      airfoil_position: {grid: [0, 0.5, 1], labels: [a, b, b]}\n      chord: {grid: [0, 0.25, 1], values: [3, 4, 1]}\n      twist: {grid: [0, 1], values: [0.2, 0]}\n      pitch_axis: {grid: [0, 1], values: [0.5, 0.3]}\n      reference_axis:\n        x: {grid: [0, 1], values: [0, -4]}\n        y: {grid: [0, 1], values: [0, 1]}\n        z: {grid: [0, 1], values: [0, 48]}\n";
 
-const VERSION_2: &str = "windIO_version: '2.0'\nname: turbine\nassembly: {number_of_blades: 3}\nairfoils:\n  - name: a\n    rthick: 0.4\n    aerodynamic_center: 0.25\n    polars:\n      - configuration: clean\n        re_sets: [{re: 1e6, cl: {grid: [-180, 180], values: [0, 0]}, cd: {grid: [-180, 180], values: [0.1, 0.1]}, cm: {grid: [-180, 180], values: [0, 0]}}]\n      - configuration: rough\n        re_sets: [{re: 1e6, cl: {grid: [-180, 180], values: [0, 0]}, cd: {grid: [-180, 180], values: [0.2, 0.2]}, cm: {grid: [-180, 180], values: [0, 0]}}]\ncomponents:\n  hub: {outer_shape: {diameter: 4.0}}\n  blade:\n    reference_axis:\n      x: {grid: [0, 1], values: [0, -4]}\n      y: {grid: [0, 1], values: [0, 0]}\n      z: {grid: [0, 1], values: [0, 48]}\n    outer_shape:\n      airfoils:\n        - {name: a, spanwise_position: 0, configuration: [clean], weight: [1]}\n        - {name: a, spanwise_position: 1, configuration: [clean, rough], weight: [0.25, 0.75]}\n      chord: {grid: [0, 0.5, 1], values: [3, 4, 1]}\n      twist: {grid: [0, 1], values: [18, 0]}\n      section_offset_y: {grid: [0, 1], values: [1.5, 0.5]}\n      rthick: {grid: [0, 1], values: [1, 0.2]}\n";
+const VERSION_2: &str = "windIO_version: '2.0'\nname: turbine\nassembly: {number_of_blades: 3, rotor_orientation: Downwind}\nairfoils:\n  - name: a\n    rthick: 0.4\n    aerodynamic_center: 0.25\n    polars:\n      - configuration: clean\n        re_sets: [{re: 1e6, cl: {grid: [-180, 180], values: [0, 0]}, cd: {grid: [-180, 180], values: [0.1, 0.1]}, cm: {grid: [-180, 180], values: [0, 0]}}]\n      - configuration: rough\n        re_sets: [{re: 1e6, cl: {grid: [-180, 180], values: [0, 0]}, cd: {grid: [-180, 180], values: [0.2, 0.2]}, cm: {grid: [-180, 180], values: [0, 0]}}]\ncomponents:\n  hub: {outer_shape: {diameter: 4.0, cone_angle: 2.5}}\n  blade:\n    reference_axis:\n      x: {grid: [0, 1], values: [0, -4]}\n      y: {grid: [0, 1], values: [0, 0]}\n      z: {grid: [0, 1], values: [0, 48]}\n    outer_shape:\n      airfoils:\n        - {name: a, spanwise_position: 0, configuration: [clean], weight: [1]}\n        - {name: a, spanwise_position: 1, configuration: [clean, rough], weight: [0.25, 0.75]}\n      chord: {grid: [0, 0.5, 1], values: [3, 4, 1]}\n      twist: {grid: [0, 1], values: [18, 0]}\n      section_offset_y: {grid: [0, 1], values: [1.5, 0.5]}\n      rthick: {grid: [0, 1], values: [1, 0.2]}\n";
 
 #[test]
 fn windio_1_has_labels_along_the_span() {
@@ -163,6 +163,7 @@ fn windio_1_has_labels_along_the_span() {
         (blade.blades, blade.hub_radius, blade.tip_radius),
         (Some(3), Some(2.0), Some(50.0))
     );
+    assert_eq!((blade.cone, blade.tilt), (Some(0.05), Some(0.1)));
     let second = &blade.stations[1];
     near(second.twist, -0.15);
     near(second.prebend, -1.0);
@@ -178,6 +179,7 @@ fn windio_1_has_labels_along_the_span() {
 fn windio_2_has_weights_of_configurations() {
     let blade = parse_blade(VERSION_2, Path::new("a.yaml"), &BladeOptions::default())
         .unwrap_or_else(|problems| panic!("{problems}"));
+    near(blade.cone.unwrap().to_degrees(), -2.5);
     let second = &blade.stations[1];
     near(second.twist.to_degrees(), -9.0);
     near(second.reference_point, 0.25);

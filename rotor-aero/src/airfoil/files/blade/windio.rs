@@ -55,19 +55,20 @@ pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<Bl
     };
     let parts = required(&root, "the file", "components", notes)?;
     let blade = required(parts, "components", "blade", notes)?;
-    let shape = match blade.entry("outer_shape_bem") {
+    let of_version_1 = blade.entry("outer_shape_bem");
+    let shape = match of_version_1 {
         Some(table) => version_1(table, notes),
         None => version_2(blade, &read, notes),
     }?;
     let mut blade = BladeAero::of(BladeFormat::WindIo, SpanOrigin::Root, shape.stations(&read));
     blade.name = word(&root, "name").unwrap_or("blade").to_owned();
     blade.airfoils = read;
-    whole(&root, &mut blade, notes);
+    whole(&root, &mut blade, of_version_1.is_none(), notes);
     Some(blade)
 }
 
-/// Values of the turbine as a whole.
-fn whole(root: &Node, blade: &mut BladeAero, notes: &mut Notes) {
+/// Values of the turbine as a whole, with angles in degrees or in radians.
+fn whole(root: &Node, blade: &mut BladeAero, has_degrees: bool, notes: &mut Notes) {
     let number = |path: &[&str], notes: &mut Notes| {
         let node = root.path(path)?;
         scalar(node, path.last().copied().unwrap_or_default(), notes)
@@ -78,10 +79,28 @@ fn whole(root: &Node, blade: &mut BladeAero, notes: &mut Notes) {
         .map(|count| count as usize);
     let half = |diameter: Option<f64>| diameter.filter(|&d| d > 0.0).map(|diameter| diameter / 2.0);
     blade.tip_radius = half(number(&["assembly", "rotor_diameter"], notes));
-    let hub = number(&["components", "hub", "outer_shape_bem", "diameter"], notes);
-    let hub = hub.or_else(|| number(&["components", "hub", "outer_shape", "diameter"], notes));
-    let hub = hub.or_else(|| number(&["components", "hub", "diameter"], notes));
-    blade.hub_radius = half(hub);
+    let mut of_hub = |key: &'static str| {
+        let shapes = ["outer_shape_bem", "outer_shape"];
+        let mut shaped = shapes.into_iter();
+        let found = shaped.find_map(|shape| number(&["components", "hub", shape, key], notes));
+        found.or_else(|| number(&["components", "hub", key], notes))
+    };
+    blade.hub_radius = half(of_hub("diameter"));
+    let radians = |angle: f64| {
+        if has_degrees {
+            angle.to_radians()
+        } else {
+            angle
+        }
+    };
+    // Of both kinds of rotors, positive is away from the tower.
+    let orientation = root.path(&["assembly", "rotor_orientation"]);
+    let orientation = orientation.and_then(Node::text).unwrap_or_default();
+    let is_downwind = orientation.to_lowercase().starts_with("down");
+    let side = if is_downwind { -1.0 } else { 1.0 };
+    blade.cone = of_hub("cone_angle").map(|cone| side * radians(cone));
+    let tilt = ["components", "nacelle", "drivetrain", "uptilt"];
+    blade.tilt = number(&tilt, notes).map(radians);
 }
 
 /// A required table on an ascending grid.
