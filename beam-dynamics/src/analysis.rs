@@ -61,6 +61,7 @@ pub mod modes;
 pub mod performance;
 pub mod periodic;
 pub mod stability;
+mod stall;
 pub mod static_sweep;
 pub mod statics;
 pub mod steady;
