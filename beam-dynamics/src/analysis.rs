@@ -55,6 +55,7 @@ mod first_order;
 mod growing;
 pub mod identification;
 pub mod linear;
+mod linearized;
 mod linking;
 mod modal_damping;
 pub mod modes;
