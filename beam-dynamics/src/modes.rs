@@ -1,6 +1,7 @@
 //! Modes: eigenvalues of the linearized system, the motion of each mode, and the mode at
 //! the next speed that continues it.
 
+mod continued;
 mod copies;
 mod crowded;
 mod eigen;
@@ -21,6 +22,7 @@ mod tracking;
 mod undamped;
 mod with_air;
 
+pub use copies::is_new;
 pub use eigen::{EigenProblem, Lowest};
 pub use eigenpair::Eigenpair;
 pub use factors::Factors;

@@ -15,6 +15,7 @@ mod buckling;
 mod case_files;
 mod chain;
 mod changed_blades;
+mod continued_modes;
 mod control;
 mod damped_by_air;
 mod damped_in_time;

@@ -64,12 +64,12 @@ speeds = [60]
 count = 6
 words = "wind"
 "#;
-const FILE: &str = "turbine.dynamics.toml";
+pub const FILE: &str = "turbine.dynamics.toml";
 /// Revolutions per second, and the speed of the rotor \[rad/s\].
 const TURNS: f64 = 1.0;
-const SPEED: f64 = TAU * TURNS;
+pub const SPEED: f64 = TAU * TURNS;
 
-fn text(wake: &str, section: &str) -> String {
+pub fn text(wake: &str, section: &str) -> String {
     ROTOR.replace("WAKE", wake).replace("SECTION", section)
 }
 
@@ -78,7 +78,7 @@ fn parsed(text: &str) -> Input {
 }
 
 /// The stability of a file over the values of a parameter.
-fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
+pub fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
     let text = format!(
         "{text}[stability]\nparameter = \"{parameter}\"\nvalues = {values}\nboundaries = false\n"
     );
@@ -90,7 +90,7 @@ fn over(text: &str, parameter: &str, values: &str) -> StabilityResult {
 }
 
 /// The root at the value `index` of a name, or of the first mode there that begins with the name.
-fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a StabilityRoot {
+pub fn root<'a>(result: &'a StabilityResult, index: usize, name: &str) -> &'a StabilityRoot {
     let fits = |exact: bool| {
         let modes = result.modes.iter().enumerate();
         let mut modes = modes.filter(move |(_, own)| match exact {

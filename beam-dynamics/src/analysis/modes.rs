@@ -5,13 +5,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::iter::{IntoParallelRefIterator, ParallelExtend, ParallelIterator};
 
-use crate::assembly::{MasslessMotions, System};
 use crate::case::{Model, ModesSettings};
 use crate::model::State;
-use crate::modes::{
-    EigenProblem, Eigenpair, Lowest, MassMatrix, ModeMotion, Rotor, half_air, separate, shaft_whirl,
-};
-use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable, ModeKind, ModePoint};
+use crate::modes::{EigenProblem, Eigenpair, Lowest, ModeMotion, Rotor};
+use crate::result::{DecayingMotion, EquilibriumReport, FrequencyTable};
 use crate::solver::LinearSolver;
 
 use super::around_the_axis::{copies, left_out, rotor};
@@ -20,6 +17,7 @@ use super::deformation::{deformation, folded};
 use super::fewer_modes::why_no_more;
 use super::first_order::first_order;
 use super::growing;
+use super::linearized::{self, Linearized, point_of};
 use super::linking::{Mode, direct_links};
 use super::modal_damping;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
@@ -104,12 +102,8 @@ impl Case<'_> {
 
     /// Adds the shares of the energy and the kind of motion of a mode.
     fn describe(&self, mode: &mut Mode) {
-        let (naming, motion) = (&self.model.naming, &mode.motion);
-        mode.point.shares = motion.shares(naming);
-        (mode.point.lateral, mode.point.tower) = (motion.lateral(naming), motion.of_tower(naming));
-        let whirl = self.rotor.and_then(|rotor| rotor.whirl(motion));
-        let whirl = whirl.or_else(|| shaft_whirl(motion, naming));
-        mode.point.whirl = whirl.filter(|_| ModeKind::of_tower(mode.point.tower).is_none());
+        let of = (self.model, self.rotor);
+        linearized::describe(of, &mode.motion, &mut mode.point);
     }
 }
 
@@ -336,14 +330,9 @@ fn at_equilibrium(
     speed: f64,
     steady: &Equilibrium,
 ) -> Result<Modes, Failure> {
-    let system: &System = &case.model.system;
-    let tangent = system.tangent(&steady.state, &steady.conditions);
-    let massless = MasslessMotions::new(system, &tangent);
-    let problem = EigenProblem::new(solver, &tangent, &massless, copies(case.model));
-    let half = half_air(system, &steady.state, &steady.conditions);
-    let problem = problem
-        .ok_or(Failure::Singular { speed })?
-        .with_half_air(half.as_ref());
+    let linearized = Linearized::new(case.model, steady);
+    let problem = linearized.problem(solver);
+    let problem = problem.ok_or(Failure::Singular { speed })?;
     // Copies are separated together, and some of them alone cannot be followed to another speed.
     let of_copies = copies(case.model) - 1;
     let spare = match case.settings.speeds.len() {
@@ -354,23 +343,17 @@ fn at_equilibrium(
     let rigid = lowest.pairs.iter().filter(|pair| is_rigid(pair)).count();
     let count = case.settings.count + if case.settings.free { rigid } else { 0 };
     let Lowest { pairs, real, .. } = &lowest;
-    let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
-    let mut motions: Vec<_> = pairs
-        .iter()
-        .map(|pair| ModeMotion::new(pair, &mass))
-        .collect();
-    let frequencies: Vec<_> = pairs.iter().map(|pair| pair.angular_frequency).collect();
     let residual = pairs.iter().map(|pair| pair.residual);
     // At rest all terms of the equilibrium are round-off.
     let steady_residual = if speed == 0.0 { 0.0 } else { steady.residual };
-    separate(&mut motions, &frequencies, &case.model.naming, case.rotor);
+    let motions = linearized.motions(pairs, |pair| pair.angular_frequency, case.rotor);
     let mode = |(pair, motion): (&Eigenpair, ModeMotion)| Mode {
         motion,
-        point: point(pair),
+        point: point_of(pair.growth, pair.angular_frequency),
         slope: None,
     };
     let of_real = |value: &f64| Mode {
-        motion: ModeMotion::new(&problem.real_pair(*value), &mass),
+        motion: linearized.motion(&problem.real_pair(*value)),
         point: point_of(*value, 0.0),
         slope: None,
     };
@@ -404,60 +387,6 @@ fn lowest(problem: &EigenProblem<'_>, (count, spare): (usize, usize), free: bool
 /// Whether the motion has no stiffness.
 fn is_rigid(pair: &Eigenpair) -> bool {
     pair.angular_frequency == 0.0
-}
-
-/// The lowest `count` modes of `model` about an equilibrium at a rotor speed \[rad/s\], described, and
-/// the real eigenvalues that were found.
-///
-/// # Errors
-/// [`Failure::Singular`].
-pub(super) fn modes_about(
-    (model, speed): (&Model, f64),
-    steady: &Equilibrium,
-    count: usize,
-) -> Result<Vec<(ModePoint, ModeMotion)>, Failure> {
-    let rotor = rotor(model, speed > 0.0);
-    let case = Case {
-        model,
-        settings: &ModesSettings::new(vec![speed], count),
-        rotor: rotor.as_ref(),
-        is_symmetric: true,
-        watch: &|_| {},
-    };
-    let solver = LinearSolver::new(model.system.pattern());
-    let found = at_equilibrium(&case, &solver, speed, steady)?;
-    let mut all: Vec<_> = found.found.into_iter().chain(found.real).collect();
-    all.iter_mut().for_each(|mode| case.describe(mode));
-    Ok(all
-        .into_iter()
-        .map(|mode| (mode.point, mode.motion))
-        .collect())
-}
-
-/// A mode that nothing is known of but its pair.
-fn point(pair: &Eigenpair) -> ModePoint {
-    point_of(pair.growth, pair.angular_frequency)
-}
-
-/// The same of a growth \[1/s\] and an angular frequency \[rad/s\].
-fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
-    let magnitude = growth.hypot(angular_frequency);
-    ModePoint {
-        frequency: angular_frequency / TAU,
-        damping_ratio: if magnitude > 0.0 {
-            // A growth of zero has no sign.
-            0.0 - growth / magnitude
-        } else {
-            0.0
-        },
-        growth,
-        shares: [0.0; 4],
-        lateral: 0.0,
-        tower: [0.0; 2],
-        whirl: None,
-        assurance: None,
-        shape: None,
-    }
 }
 
 /// The larger of two, or not a number when one of them is none.

@@ -9,6 +9,7 @@
 //! All steps are of Radau IIA: on systems with constraints the map of such a step adds nothing but
 //! multipliers of zero; two-step formulas add some that hide true ones.
 
+use crate::analysis::stall::StallSum;
 use crate::analysis::transient::{Multibody, Started, independent, start};
 use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
 use crate::elements::Queries;
@@ -29,7 +30,6 @@ mod passes;
 mod pilot;
 mod shooting;
 mod sizes;
-mod stall;
 
 pub use failure::PeriodicFailure;
 
@@ -331,7 +331,7 @@ fn stall_of(flow: &mut Flow<'_>, shooting: &Shooting<'_>, state: &State) -> Opti
     if shooting.border.count() == 0 {
         return None;
     }
-    let mut sum = stall::StallSum::new(&shooting.model.system);
+    let mut sum = StallSum::new(&shooting.model.system);
     let periods = flow.periods;
     // A period that fails has shown the states before.
     let _whole = flow.run(state, &mut |passed| {

@@ -19,7 +19,8 @@ pub use scan::{Scan, scan};
 
 use super::trim::Reader;
 use crate::case::{StabilityMethod, StabilitySettings, TrimSettings};
-use crate::result::StabilityResult;
+use crate::input::short_number;
+use crate::result::{StabilityPoint, StabilityResult};
 use source::Source;
 
 /// The stability requested by `settings`, of the file that `read` reads, trimmed as `trim` requests.
@@ -38,9 +39,13 @@ pub fn stability(
     };
     of_scan.tolerance = settings.tolerance * of_scan.range();
     let mut source = Source::new(settings, trim, read);
+    if settings.method == StabilityMethod::Modes {
+        source.prepare();
+    }
     let found = scan(&of_scan, &mut |at| source.roots(at));
     let mut remarks = found.remarks;
     remarks.extend(source.remark());
+    remarks.extend(overdamped(settings, &found.points, &found.modes));
     let mut points = found.points;
     for point in &mut points {
         point.controls = source.controls(point.at);
@@ -67,4 +72,26 @@ pub fn stability(
         failures: found.failures,
         remarks,
     }
+}
+
+/// Modes that do not oscillate at some of the requested values, with these, as a remark.
+fn overdamped(
+    settings: &StabilitySettings,
+    points: &[StabilityPoint],
+    modes: &[String],
+) -> Vec<String> {
+    let parameter = &settings.sweep.parameter;
+    let of_mode = |(mode, name): (usize, &String)| {
+        let is_so = |point: &&StabilityPoint| {
+            let root = point.root_of(mode);
+            point.is_requested && root.is_some_and(|root| root.is_overdamped)
+        };
+        let values = points.iter().filter(is_so);
+        let values: Vec<_> = values.map(|point| short_number(point.at, 9)).collect();
+        (!values.is_empty()).then(|| {
+            let values = values.join(", ");
+            format!("\"{name}\" is overdamped, without oscillation of the blades, at {parameter} = {values}")
+        })
+    };
+    modes.iter().enumerate().filter_map(of_mode).collect()
 }

@@ -135,13 +135,16 @@ pub fn trim_watched(
 
 /// Stall at a point, as a remark.
 fn stalled(at: Option<(&Sweep, f64)>, end: Option<&TrimEnd>) -> Option<String> {
-    let Some(Trimmed::Periodic(found)) = &end?.found else {
-        return None;
+    let end = end?;
+    let (found, when) = match &end.found {
+        Some(Trimmed::Periodic(found)) => (found.stall, "over the period"),
+        Some(Trimmed::Static(_)) => (balanced::stall(end), "in the equilibrium"),
+        None => (None, ""),
     };
     let place = at.map_or_else(String::new, |(sweep, value)| {
         format!("at {} = {}: ", sweep.parameter, short_number(value, 9))
     });
-    let text = found.stall.filter(|own| own.part > 0.0)?.text();
+    let text = found.filter(|own| own.part > 0.0)?.text(when);
     Some(format!("{place}{text}"))
 }
 

@@ -9,6 +9,10 @@ use crate::model::NODE_UNKNOWNS;
 const SAME: f64 = 1e-9;
 /// Two unit vectors of more overlap than this are the same.
 const PARALLEL: f64 = 0.9;
+/// Part of itself by which a value may differ from another one that is the same.
+pub(super) const CONFIRMED: f64 = 1e-3;
+/// Part of a unit vector outside of the space of the copies of its value above which it is a new one.
+const APART: f64 = 0.03;
 
 /// Values that are the same up to round-off, put together; ascending.
 pub(super) fn groups(values: &[c64]) -> Vec<Vec<c64>> {
@@ -30,6 +34,21 @@ pub(super) fn is_independent(pairs: &[Eigenpair]) -> bool {
     // The vectors are of unit size.
     let overlap = |i: usize, j: usize| product(&vectors[i], &vectors[j], vectors[i].len()).norm();
     (0..vectors.len()).all(|i| (0..i).all(|j| overlap(i, j) < PARALLEL))
+}
+
+/// Whether a pair is none of the known ones, and no combination of copies among them.
+pub fn is_new(pair: &Eigenpair, known: &[Eigenpair]) -> bool {
+    let is_near = |other: &&Eigenpair| {
+        (other.value() - pair.value()).norm() <= CONFIRMED * pair.value().norm()
+    };
+    let size = pair.real.len();
+    let near = known.iter().filter(is_near).map(Eigenpair::vector);
+    let mut basis: Vec<_> = near.collect();
+    orthonormalize(&mut basis, size);
+    let mut own = pair.vector();
+    orthonormalize(std::slice::from_mut(&mut own), size);
+    let parts = basis.iter().map(|one| product(one, &own, size).norm_sqr());
+    1.0 - parts.sum::<f64>() > APART * APART
 }
 
 /// `a^H b` over the positions and rotations of the nodes: the reactions, which follow

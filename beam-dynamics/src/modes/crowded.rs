@@ -13,8 +13,8 @@
 
 use faer::c64;
 
-use super::copies::{orthonormalize, product};
-use super::eigen::{CONFIRMED, EigenProblem};
+use super::copies::{CONFIRMED, is_new, orthonormalize, product};
+use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
 use super::sorted::{OVERDAMPED, Sorted};
 
@@ -29,8 +29,6 @@ const BESIDE: f64 = 1e-7;
 /// Imaginary part of an oscillation as a part of its magnitude: pairs below it, of a damping ratio above
 /// 0.95, are slow states that are coupled.
 const OSCILLATES: f64 = 0.3;
-/// Part of a unit vector outside of the space of the copies of its value above which it is a new one.
-const APART: f64 = 0.03;
 /// Overlap of the shapes without and with the lags, below which they are different modes.
 const SAME_SHAPE: f64 = 0.5;
 
@@ -61,28 +59,12 @@ impl EigenProblem<'_> {
     ) -> (Vec<Eigenpair>, usize) {
         let (mut known, mut lost) = (Vec::new(), 0);
         for mut candidates in modes {
-            match candidates.find(|pair| self.is_new(pair, &known)) {
+            match candidates.find(|pair| is_new(pair, &known)) {
                 Some(pair) => known.push(pair),
                 None => lost += 1,
             }
         }
         (known, lost)
-    }
-
-    /// Whether a pair is none of the known ones, and no combination of copies among them.
-    fn is_new(&self, pair: &Eigenpair, known: &[Eigenpair]) -> bool {
-        let is_near = |other: &&Eigenpair| {
-            (other.value() - pair.value()).norm() <= CONFIRMED * pair.value().norm()
-        };
-        let near = known.iter().filter(is_near).map(Eigenpair::vector);
-        let mut basis: Vec<_> = near.collect();
-        orthonormalize(&mut basis, self.size());
-        let mut own = pair.vector();
-        orthonormalize(std::slice::from_mut(&mut own), self.size());
-        let parts = basis
-            .iter()
-            .map(|one| product(one, &own, self.size()).norm_sqr());
-        1.0 - parts.sum::<f64>() > APART * APART
     }
 
     /// The modes of lowest frequency of a system without lags of scalars, corrected in this one.
@@ -113,16 +95,27 @@ impl EigenProblem<'_> {
     /// The pair of the complete system that has the shape of `pair`, with an overlap of at least
     /// `least`; `None` if the iteration leaves this shape, or ends at a motion that does not oscillate.
     pub(super) fn corrected(&self, pair: &Eigenpair, least: f64) -> Option<Eigenpair> {
+        let oscillates = |found: &Eigenpair| found.value().im > OVERDAMPED * found.value().norm();
+        self.refined((pair, pair.value()), least).filter(oscillates)
+    }
+
+    /// The pair of the complete system that has the shape of `pair`, from a first value, with an overlap
+    /// of at least `least`, which may not oscillate; `None` if the iteration leaves this shape.
+    pub(super) fn refined(
+        &self,
+        (pair, first): (&Eigenpair, c64),
+        least: f64,
+    ) -> Option<Eigenpair> {
         let size = self.size();
         let all = self.tangent().by_rates.pattern().size();
         let mut start = pair.vector();
         start.resize(all, c64::new(0.0, 0.0));
         orthonormalize(std::slice::from_mut(&mut start), size);
         let mut vector = start.clone();
-        let mut value = pair.value();
+        let mut value = first;
         for step in 0..CORRECTIONS {
             let shift = if step < HELD {
-                pair.value()
+                first
             } else {
                 value * (1.0 + BESIDE)
             };
@@ -141,9 +134,7 @@ impl EigenProblem<'_> {
                 break;
             }
         }
-        let is_same = product(&start, &vector, size).norm() >= least;
-        let oscillates = value.im > OVERDAMPED * value.norm();
-        if !is_same || !oscillates {
+        if product(&start, &vector, size).norm() < least {
             return None;
         }
         let residual = self.inverse().residual(value, &vector);

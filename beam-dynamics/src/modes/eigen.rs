@@ -10,7 +10,7 @@
 
 use faer::{Mat, c64};
 
-use super::copies::{groups, is_independent, orthonormalize, product};
+use super::copies::{CONFIRMED, groups, is_independent, orthonormalize, product};
 use super::eigenpair::Eigenpair;
 use super::frequencies::{fastest, highest_of_a_node, masses, undamped};
 use super::inverse::{DENSE, INFINITE, Inverse};
@@ -43,8 +43,6 @@ const ITERATIONS: usize = 3;
 /// Part of a vector by which inverse iteration may change it for the last time: the rest
 /// shrinks by 1e-10 over the distance of the other modes.
 const PARALLEL_BY: f64 = 1e-8;
-/// Part of itself by which inverse iteration may change a value that it confirms.
-pub(super) const CONFIRMED: f64 = 1e-3;
 
 /// The lowest modes of a system.
 #[derive(Debug, Clone, Default)]

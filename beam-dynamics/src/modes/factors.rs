@@ -21,7 +21,8 @@
 
 use faer::{Mat, Side, c64};
 
-use super::eigen::{CONFIRMED, EigenProblem};
+use super::copies::CONFIRMED;
+use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
 use super::inverse::DENSE;
 use super::sorted::OSCILLATING;

@@ -128,14 +128,14 @@ pub struct Stall {
 }
 
 impl Stall {
-    /// As text.
-    pub fn text(&self) -> String {
+    /// As text, given the instants that it is of.
+    pub fn text(&self, when: &str) -> String {
         let strips = match self.part {
             0.0 => "no strip of the blades is".to_owned(),
             part => format!("{:.1} % of the strips of the blades are", 100.0 * part),
         };
         format!(
-            "{strips} beyond stall (less than 0.7 of the chord with attached flow) over the period, at \
+            "{strips} beyond stall (less than 0.7 of the chord with attached flow) {when}, at \
              angles of attack up to {:.1} deg",
             self.largest_angle.to_degrees()
         )

@@ -18,6 +18,9 @@ pub struct StabilityRoot {
     /// Estimated error of the exponent by the steps of the period; `None` if there is no estimate
     /// [1/s].
     pub error: Option<f64>,
+    /// Whether it is a mode that oscillates in turning axes at other values, and decays without oscillation
+    /// here.
+    pub is_overdamped: bool,
     /// Whether it is the free choice of the azimuth or of the time.
     pub is_neutral: bool,
     /// Share of the energy at the frequency [-].
@@ -53,6 +56,7 @@ impl StabilityRoot {
             },
             doubt: 0.0,
             error: None,
+            is_overdamped: false,
             is_neutral: false,
             share: 1.0,
             fundamental: 0.0,

@@ -202,6 +202,31 @@ fn controls_of_an_independent_program() {
     compare("Drees, B .97", &variant, row("Drees, B .97"), 0.1);
 }
 
+// By an auto-pilot, from guesses that are 5 deg and more away: the thrust begins at a third of the target.
+#[test]
+fn controls_by_an_auto_pilot() {
+    let folder = tempfile::tempdir().unwrap();
+    let variant = Variant {
+        inflow: "kind = \"Drees\"\neffective_radius = 0.97",
+        guess: [8.0, 0.0, 0.0],
+        ..Variant::default()
+    };
+    let text = rotor(folder.path(), &variant);
+    let text = text.replace("[trim]\n", "[trim]\nmethod = \"autopilot\"\n");
+    let point = &trimmed(&text)[0];
+    let found = point.controls.iter().map(|angle| angle.to_degrees());
+    let names = ["collective", "cosine", "sine"].into_iter();
+    for ((name, found), expected) in names.zip(found).zip(row("Drees, B .97")) {
+        let error = (found - expected).abs();
+        let source = "Rigid flapping blades by an independent program";
+        let case = "Puma, flight 123, Drees, B .97, auto-pilot";
+        let name = format!("{name} [deg]");
+        println!("{name} {found} {expected}, {} periods", point.iterations);
+        record::value(source, case, &name, [found, expected], error, 0.1);
+        assert!(error < 0.1, "{name} {found} {expected}");
+    }
+}
+
 #[test]
 #[ignore = "5 s; rows of the same kind are tested"]
 fn controls_with_drees_inflow() {

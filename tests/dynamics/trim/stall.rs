@@ -130,3 +130,74 @@ fn an_auto_pilot_ends_at_the_controls_of_shooting() {
     println!("{off:?}");
     assert!(off[0] < 1e-3 && off[1] < 0.6 * off[0], "{off:?}");
 }
+
+// From guesses near stall, and from zero, the auto-pilot ends at the controls of shooting, which are within
+// its own harmonics of the ones of the test before: 1e-3 rad.
+#[test]
+fn an_auto_pilot_ends_there_from_far_guesses() {
+    let piloted = |guess: [f64; 3]| {
+        let text = rotor(ALL, &controls(guess), &targets(6000.0));
+        let text = text.replace("[trim]\n", "[trim]\nmethod = \"autopilot\"\n");
+        let outcome = attempt(&text);
+        assert_eq!(outcome.result.points[0].failure, None, "{guess:?}");
+        outcome.result.points[0].controls.clone()
+    };
+    let near = attempt(&rotor(ALL, &controls([0.08, 0.0, 0.0]), &targets(6000.0)));
+    for guess in [[0.0; 3], [0.2, 0.1, -0.1], [0.25, 0.1, -0.1]] {
+        let found = piloted(guess);
+        println!("{guess:?}: {found:?}");
+        for (found, near) in found.iter().zip(&near.result.points[0].controls) {
+            assert!((found - near).abs() < 1e-3, "{guess:?}: {found} {near}");
+        }
+    }
+}
+
+// A failure of the auto-pilot has the largest thrust and the stall there, and so has the one of shooting.
+#[test]
+fn an_auto_pilot_reports_stall() {
+    let text = rotor("collective = \"c\"\n", &control("c", 0.1), "")
+        + "[[trim.target]]\nname = \"thrust\"\nsignal = \"lift\"\nvalue = 80e3\nscale = 8e4\n";
+    let text = text.replace("[trim]\n", "[trim]\nmethod = \"autopilot\"\n");
+    let [reason, _] = attempt(&text).result.points[0].failure.clone().unwrap();
+    for part in [
+        "are met up to \"thrust\" = ",
+        "beyond stall",
+        "at angles of attack up to 1",
+    ] {
+        assert!(reason.contains(part), "{reason}");
+    }
+}
+
+// Blades in air at rest without induced velocity have their pitch as angle of attack, up to their
+// deformation: 20 deg are beyond the stall of the section, 4 deg are not. The target is the pitch itself.
+#[test]
+fn an_equilibrium_of_turning_blades_reports_stall() {
+    let remarks = |pitch: f64| {
+        let text = format!(
+            "[properties.spar]\nea = 7e8\ngay = 2e8\ngaz = 2e8\ngj = 3e6\neiy = 2e6\neiz = 4e6\n\
+             m = 6\niy = 1e-3\niz = 1e-2\n[parameters]\npitch = {pitch:?}\n\
+             [air]\ndensity = 1.225\nwind = [0, 0, 0]\n\
+             [[blade]]\nname = \"b\"\ncount = 3\nhub_radius = 0.5\npitch = \"= pitch\"\n\
+             properties = \"spar\"\npiece = [{{ length = 4.5, elements = 2 }}]\n\
+             [blade.aerodynamics]\nsection = \"quasi_steady\"\nstations = [\n\
+             {{ at = 0, chord = 0.3, airfoil = \"naca0012\" }},\n\
+             {{ at = 4.5, chord = 0.3, airfoil = \"naca0012\" }} ]\n\
+             [sensors.lift]\nquantity = \"thrust\"\n\
+             [trim]\nmethod = \"equilibrium\"\nspeed = 30\n\
+             [[trim.control]]\nname = \"pitch\"\n\
+             [[trim.target]]\nname = \"pitch\"\nsignal = \"= 0*lift + pitch\"\nvalue = {pitch:?}\n"
+        );
+        let outcome = attempt(&text);
+        assert_eq!(outcome.result.points[0].failure, None);
+        outcome.result.remarks
+    };
+    assert_eq!(remarks(0.07), Vec::<String>::new());
+    let stalled = remarks(0.35);
+    let expected = "of the strips of the blades are beyond stall";
+    assert!(
+        stalled.len() == 1
+            && stalled[0].contains(expected)
+            && stalled[0].contains("in the equilibrium"),
+        "{stalled:?}"
+    );
+}

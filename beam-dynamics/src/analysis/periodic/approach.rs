@@ -85,7 +85,7 @@ pub(super) fn approach(
 }
 
 /// Whether the search failed on its way, not by its equations.
-fn can_be_approached(failure: &PeriodicFailure) -> bool {
+pub(super) fn can_be_approached(failure: &PeriodicFailure) -> bool {
     matches!(
         failure,
         PeriodicFailure::NotConverged { .. }

@@ -159,7 +159,7 @@ impl PeriodicFailure {
                 first,
                 reached,
                 controls,
-                stall: format!("; there {}", found.text()),
+                stall: format!("; there {}", found.text("over the period")),
             },
             (failure, _) => failure,
         }

@@ -11,15 +11,20 @@
 //! with tau and 1/G in periods. The integral over a step is exact, so that the targets need no sensors
 //! of their own. A control is constant within a step.
 //!
+//! The controls of a period change by no more than turns a node by the angle of a correction of Newton's
+//! method, because the motion follows them later, and J holds up to stall only.
+//!
 //! The controls do not rest, and keep weakly damped motions of the blades alive. Where the change of the
-//! motion no longer falls, Newton's method finds the end.
+//! motion no longer falls, Newton's method finds the end. Where the march fails, or does not meet the
+//! targets, it begins again at the start, with targets that grow if needed.
 
 use nalgebra::{DMatrix, DVector};
 
+use super::approach::{approach, can_be_approached};
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
 use super::passes::Passes;
-use super::shooting::Shooting;
+use super::shooting::{Shooting, part_of};
 use crate::analysis::effects;
 use crate::case::AutoPilot;
 use crate::model::State;
@@ -36,6 +41,8 @@ struct Pilot<'a> {
     settings: AutoPilot,
     /// J^-1, of sizes one.
     inverse: DMatrix<f64>,
+    /// Largest rotation of a node in the periodic motion by each control of unit size \[rad\].
+    turns: Vec<f64>,
     /// Length of a step, in periods.
     step: f64,
     /// m_f.
@@ -57,7 +64,10 @@ impl Pilot<'_> {
         }
         self.before = integrals;
         let errors = DVector::from_vec(border.errors(&self.filtered));
-        let change = &self.inverse * errors * (-self.settings.gain * self.step);
+        let change = &self.inverse * errors * -self.settings.gain;
+        let turn = change.iter().zip(&self.turns);
+        let turn = turn.map(|(change, turn)| change.abs() * turn).sum();
+        let change = change * (part_of(turn, true) * self.step);
         let mut values = border.values(state);
         for (value, (change, scale)) in values.iter_mut().zip(change.iter().zip(border.scales())) {
             *value += change * scale;
@@ -67,8 +77,27 @@ impl Pilot<'_> {
 }
 
 /// Marches from `state`, which becomes the last state, until the targets are met and the motion repeats;
-/// returns the first state of the last period, and its end.
+/// returns the first state of the last period, and its end. If the march fails, Newton's method begins at
+/// `state`.
 pub(super) fn pilot(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    (state, settings): (&mut State, AutoPilot),
+    passes: &mut Passes<'_>,
+) -> Result<[State; 2], PeriodicFailure> {
+    let begun = state.clone();
+    match march(shooting, flow, (state, settings), passes) {
+        Err(failure) if can_be_approached(&failure) => {
+            state.copy_from(&begun);
+            let orbit = approach(shooting, flow, state, passes)?;
+            Ok([orbit.state, orbit.end])
+        }
+        found => found,
+    }
+}
+
+/// Marches from `state` until the targets are met and the motion repeats, or its change no longer falls.
+fn march(
     shooting: &Shooting<'_>,
     flow: &mut Flow<'_>,
     (state, settings): (&mut State, AutoPilot),
@@ -81,14 +110,15 @@ pub(super) fn pilot(
     let singular = |reason: Option<String>| PeriodicFailure::Singular {
         reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
     };
-    let response = shooting.response(&map).ok_or_else(|| singular(None))?;
-    if let Some(reason) = border.idle(&response, effects::EXACT) {
+    let response = shooting.responses(&map).ok_or_else(|| singular(None))?;
+    if let Some(reason) = border.idle(&response.means, effects::EXACT) {
         return Err(singular(Some(reason)));
     }
     let mut pilot = Pilot {
         shooting,
         settings,
-        inverse: response.try_inverse().ok_or_else(|| singular(None))?,
+        inverse: response.means.try_inverse().ok_or_else(|| singular(None))?,
+        turns: response.turns,
         step: 1.0 / flow.steps() as f64,
         filtered: border.reached(&end),
         before: Vec::new(),

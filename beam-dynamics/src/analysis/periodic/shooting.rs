@@ -47,6 +47,14 @@ pub(super) struct Orbit {
     pub map: PeriodMap,
 }
 
+/// Changes of the periodic motion by controls of unit size.
+pub(super) struct Responses {
+    /// Of the means of the targets (rows), of unit size, by the controls (columns).
+    pub means: DMatrix<f64>,
+    /// Largest rotation of a node by each control \[rad\].
+    pub turns: Vec<f64>,
+}
+
 /// The last correction of a state.
 struct Tried {
     base: State,
@@ -233,17 +241,15 @@ impl Shooting<'_> {
 
     /// The part of a correction that turns no node far.
     fn part(&self, d: &[f64]) -> f64 {
+        part_of(self.largest_turn(d), self.border.count() > 0)
+    }
+
+    /// The largest rotation of a node in a variation \[rad\].
+    fn largest_turn(&self, d: &[f64]) -> f64 {
         let nodes = self.model.system.nodes().len();
         let turns = d[..NODE_UNKNOWNS * nodes].chunks(NODE_UNKNOWNS);
-        let largest = turns
-            .flat_map(|node| &node[3..6])
-            .fold(0.0_f64, |a, b| a.max(b.abs()));
-        let farthest = FARTHEST[usize::from(self.border.count() > 0)];
-        if largest > farthest {
-            farthest / largest
-        } else {
-            1.0
-        }
+        let all = turns.flat_map(|node| &node[3..6]);
+        all.fold(0.0, |largest, turn| largest.max(turn.abs()))
     }
 
     /// The unknown or the target of the largest entry, as text.
@@ -284,10 +290,16 @@ impl Shooting<'_> {
     }
 
     /// The change of the means in the periodic motion by each control of unit size.
-    pub fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
+    fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
+        Some(self.responses(map)?.means)
+    }
+
+    /// The changes of the means and of the first state in the periodic motion by the controls.
+    pub fn responses(&self, map: &PeriodMap) -> Option<Responses> {
         let count = self.border.count();
         let held = self.border.unknowns();
         let mut response = DMatrix::zeros(count, count);
+        let mut turns = vec![0.0; count];
         for column in 0..count {
             let control = self.border.control(column);
             let mut first = vec![0.0; self.sizes.len()];
@@ -310,12 +322,27 @@ impl Shooting<'_> {
                 .iter_mut()
                 .zip(moved)
                 .for_each(|(d, moved)| *d += moved);
+            turns[column] = self.largest_turn(&first);
             map.apply(&mut first)?;
             for (row, mean) in self.border.means(&first).into_iter().enumerate() {
                 response[(row, column)] = mean;
             }
         }
-        Some(response)
+        Some(Responses {
+            means: response,
+            turns,
+        })
+    }
+}
+
+/// The part of a change that turns a node by an angle \[rad\] which is not too far, with controls or
+/// without.
+pub(super) fn part_of(turn: f64, has_controls: bool) -> f64 {
+    let farthest = FARTHEST[usize::from(has_controls)];
+    if turn > farthest {
+        farthest / turn
+    } else {
+        1.0
     }
 }
 

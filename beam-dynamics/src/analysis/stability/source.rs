@@ -2,22 +2,22 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Complex;
 use shared_geom::error::Diagnostics;
 
 use crate::analysis::averaged::{AveragedMode, averaged_modes, possible};
-use crate::analysis::modes::modes_about;
 use crate::analysis::periodic::periodic_from;
-use crate::analysis::steady::{Equilibrium, equilibrium};
 use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
 use crate::case::{FloquetSettings, StabilityMethod, StabilitySettings, TrimSettings, Words};
 use crate::input::{Input, short_number};
 use crate::model::State;
-use crate::modes::ModeMotion;
 use crate::result::{
-    BoundaryKind, FloquetMode, FloquetTable, ModePoint, PeriodicResult, StabilityRoot, Whirl,
+    BoundaryKind, FloquetMode, FloquetTable, PeriodicResult, StabilityRoot, Whirl,
 };
-use crate::solver::LinearSolver;
+
+mod branches;
+mod of_modes;
+
+use branches::Branches;
 
 /// Multipliers above this size are shown.
 const SHOWN: f64 = 0.9;
@@ -47,6 +47,8 @@ pub(super) struct Source<'a> {
     trim: Option<&'a TrimSettings>,
     read: Reader<'a>,
     known: Vec<Known>,
+    /// Modes by eigenvalues.
+    branches: Branches,
     /// Number of multipliers to compute.
     count: usize,
     /// Least frequency up to which the oscillations of averaged equations are complete, if others
@@ -65,6 +67,7 @@ impl<'a> Source<'a> {
             trim,
             read,
             known: Vec::new(),
+            branches: Branches::default(),
             count: settings.count.unwrap_or(COMPUTED[0]),
             complete_to: None,
         }
@@ -160,76 +163,6 @@ impl<'a> Source<'a> {
 
     fn input(&self, at: f64) -> Result<Input, Failed> {
         (self.read)(&[(self.settings.sweep.parameter.clone(), at)]).map_err(unread)
-    }
-
-    /// By the eigenvalues about the equilibrium.
-    fn of_modes(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
-        let (input, steady) = match self.trim {
-            Some(trim) => {
-                let (input, _) = self.trimmed(at, trim)?;
-                let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
-                // In small motions the controls are constant.
-                conditions.loading.released = 1.0;
-                let known = self.known.iter().find(|known| known.at == at);
-                let state = known.map(|known| known.state.clone());
-                let steady = state.map(|state| Equilibrium {
-                    state,
-                    conditions,
-                    iterations: 0,
-                    residual: 0.0,
-                });
-                (
-                    input,
-                    steady.ok_or_else(|| nothing("the trim has no state"))?,
-                )
-            }
-            None => {
-                let input = self.input(at)?;
-                let steady = self.steady(at, &input)?;
-                (input, steady)
-            }
-        };
-        let settings = input
-            .modes
-            .as_ref()
-            .ok_or_else(|| nothing("[modes] is missing"))?;
-        let speed = settings.speeds.first().copied().unwrap_or(0.0);
-        let count = self.settings.count.unwrap_or(0).max(settings.count);
-        let found = modes_about((&input.model, speed), &steady, count);
-        let found = found.map_err(|failure| {
-            let remedy = "hold the motion by a stiffness, or choose other values of the parameter";
-            [failure.to_string(), remedy.to_owned()]
-        })?;
-        let words = self.settings.words.unwrap_or(settings.style.words);
-        let root = |(point, motion): &(ModePoint, ModeMotion)| root(point, motion, speed, words);
-        Ok(found.iter().map(root).collect())
-    }
-
-    /// The equilibrium, from the nearest known one.
-    fn steady(&mut self, at: f64, input: &Input) -> Result<Equilibrium, Failed> {
-        let model = &input.model;
-        let speed = input
-            .modes
-            .as_ref()
-            .and_then(|own| own.speeds.first().copied());
-        let conditions = model.conditions(speed.unwrap_or(0.0), 1.0, 1.0);
-        let rest = model.system.rest();
-        let nothing = model.conditions(0.0, 1.0, 1.0);
-        let near = self.nearest(at).map(|near| &near.state);
-        let near = near.filter(|state| fits(state, model));
-        let solver = LinearSolver::new(model.system.pattern());
-        let from = |known, state| equilibrium(model, &solver, (known, state), &conditions);
-        let found = near.map(|state| from(&conditions, state));
-        let found = match found {
-            Some(Ok(found)) => Ok(found),
-            _ => from(&nothing, &rest),
-        };
-        let steady = found.map_err(|failure| {
-            let remedy = "choose values of the parameter at which the model has an equilibrium";
-            [failure.to_string(), remedy.to_owned()]
-        })?;
-        self.keep(at, &steady.state, Vec::new());
-        Ok(steady)
     }
 
     /// By the multipliers of the periodic motion, as many as are needed.
@@ -346,35 +279,6 @@ fn roots_of(mode: &FloquetMode) -> usize {
 fn nothing(reason: &str) -> Failed {
     let remedy = "let the cards of the analyses not depend on the parameter";
     [reason.to_owned(), remedy.to_owned()]
-}
-
-/// A mode of the turning frame, as seen from the fixed frame.
-fn root(point: &ModePoint, motion: &ModeMotion, speed: f64, words: Words) -> StabilityRoot {
-    let whirl = point.whirl.filter(Whirl::is_pure);
-    let seen = whirl.map_or(point.frequency, |whirl| {
-        whirl.in_fixed_system(point.frequency, speed / TAU).0
-    });
-    let pattern = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
-    let pattern = pattern.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
-    let is_real = point.frequency == 0.0;
-    let frequency = if is_real { 0.0 } else { TAU * seen };
-    StabilityRoot {
-        kind: if is_real {
-            BoundaryKind::Divergence
-        } else {
-            BoundaryKind::Flutter
-        },
-        doubt: if is_real {
-            0.0
-        } else {
-            ROUND_OFF * point.growth.hypot(TAU * point.frequency)
-        },
-        name: point.kind().word_in(words).to_owned(),
-        pattern: Some(pattern),
-        waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
-        shape: motion.parts().map(<[_]>::to_vec),
-        ..StabilityRoot::new(Complex::new(point.growth, frequency))
-    }
 }
 
 /// Modes of averaged equations; their frequencies are the ones in the fixed frame. Each has its number

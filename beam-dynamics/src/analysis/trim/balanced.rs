@@ -3,12 +3,15 @@
 
 use nalgebra::DMatrix;
 
+use super::TrimEnd;
 use crate::analysis::balance::Balance;
 use crate::analysis::effects;
+use crate::analysis::stall::StallSum;
 use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::analysis::transient::begin_at_rest;
 use crate::case::{Model, TrimSettings};
 use crate::model::{Conditions, State};
+use crate::result::Stall;
 use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
 
 /// Reason why an equilibrium is not trimmed.
@@ -75,6 +78,18 @@ pub(super) fn values<'a>(
 /// The conditions of a trim.
 pub(super) fn conditions(model: &Model, settings: &TrimSettings) -> Conditions {
     model.conditions(settings.speed, 1.0, 1.0)
+}
+
+/// Stall of the blades in the equilibrium of a trim, if its model turns.
+pub(super) fn stall(end: &TrimEnd) -> Option<Stall> {
+    let (settings, state) = (end.input.trim.as_ref()?, end.state.as_ref()?);
+    if settings.speed == 0.0 {
+        return None;
+    }
+    let model = &end.input.model;
+    let mut sum = StallSum::new(&model.system);
+    sum.add(state, &conditions(model, settings));
+    sum.found()
 }
 
 /// The trimmed equilibrium, from the trimmed state of a similar model if one is given.

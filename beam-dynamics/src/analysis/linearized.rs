@@ -1,0 +1,110 @@
+//! A model linearized about an equilibrium, and its modes as motions.
+
+use std::f64::consts::TAU;
+
+use crate::assembly::{MasslessMotions, Tangent};
+use crate::case::Model;
+use crate::modes::{
+    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, half_air, separate, shaft_whirl,
+};
+use crate::result::{ModeKind, ModePoint};
+use crate::solver::LinearSolver;
+
+use super::around_the_axis::copies;
+use super::steady::Equilibrium;
+
+/// The linearized system with its masses.
+pub(super) struct Linearized<'a> {
+    model: &'a Model,
+    tangent: Tangent,
+    massless: MasslessMotions,
+    /// The system with half of the forces of the air, if there is air.
+    half_air: Option<Tangent>,
+    mass: MassMatrix,
+}
+
+impl<'a> Linearized<'a> {
+    /// Linearizes the model about an equilibrium.
+    pub fn new(model: &'a Model, steady: &Equilibrium) -> Self {
+        let system = &model.system;
+        let tangent = system.tangent(&steady.state, &steady.conditions);
+        let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
+        Self {
+            model,
+            massless: MasslessMotions::new(system, &tangent),
+            half_air: half_air(system, &steady.state, &steady.conditions),
+            tangent,
+            mass,
+        }
+    }
+
+    /// The problem of its modes; `None` if something moves that neither mass nor stiffness determines.
+    pub fn problem<'b>(&'b self, solver: &'b LinearSolver) -> Option<EigenProblem<'b>> {
+        let copies = copies(self.model);
+        let problem = EigenProblem::new(solver, &self.tangent, &self.massless, copies)?;
+        Some(problem.with_half_air(self.half_air.as_ref()))
+    }
+
+    /// The problem of modes near a `size` \[1/s\], which are known of a similar system.
+    pub fn problem_near<'b>(
+        &'b self,
+        solver: &'b LinearSolver,
+        size: f64,
+    ) -> Option<EigenProblem<'b>> {
+        let copies = copies(self.model);
+        EigenProblem::near(solver, &self.tangent, &self.massless, copies, size)
+    }
+
+    /// The motion of a pair.
+    pub fn motion(&self, pair: &Eigenpair) -> ModeMotion {
+        ModeMotion::new(pair, &self.mass)
+    }
+
+    /// The motions of pairs whose numbers ascend, pure ones of pairs of equal numbers.
+    pub fn motions(
+        &self,
+        pairs: &[Eigenpair],
+        number: impl Fn(&Eigenpair) -> f64,
+        rotor: Option<&Rotor>,
+    ) -> Vec<ModeMotion> {
+        let mut motions: Vec<_> = pairs.iter().map(|pair| self.motion(pair)).collect();
+        let numbers: Vec<_> = pairs.iter().map(number).collect();
+        separate(&mut motions, &numbers, &self.model.naming, rotor);
+        motions
+    }
+}
+
+/// A mode of a growth \[1/s\] and an angular frequency \[rad/s\] that nothing else is known of.
+pub(super) fn point_of(growth: f64, angular_frequency: f64) -> ModePoint {
+    let magnitude = growth.hypot(angular_frequency);
+    ModePoint {
+        frequency: angular_frequency / TAU,
+        damping_ratio: if magnitude > 0.0 {
+            // A growth of zero has no sign.
+            0.0 - growth / magnitude
+        } else {
+            0.0
+        },
+        growth,
+        shares: [0.0; 4],
+        lateral: 0.0,
+        tower: [0.0; 2],
+        whirl: None,
+        assurance: None,
+        shape: None,
+    }
+}
+
+/// Adds the shares of the energy and the kind of motion of a mode.
+pub(super) fn describe(
+    (model, rotor): (&Model, Option<&Rotor>),
+    motion: &ModeMotion,
+    point: &mut ModePoint,
+) {
+    let naming = &model.naming;
+    point.shares = motion.shares(naming);
+    (point.lateral, point.tower) = (motion.lateral(naming), motion.of_tower(naming));
+    let whirl = rotor.and_then(|rotor| rotor.whirl(motion));
+    let whirl = whirl.or_else(|| shaft_whirl(motion, naming));
+    point.whirl = whirl.filter(|_| ModeKind::of_tower(point.tower).is_none());
+}

@@ -1,0 +1,201 @@
+//! Roots by the eigenvalues about the equilibrium of the turning frame.
+
+use std::f64::consts::TAU;
+
+use super::branches::Found;
+use super::{Failed, ROUND_OFF, Source, nothing};
+use crate::analysis::around_the_axis::{copies, rotor};
+use crate::analysis::linearized::{Linearized, describe, point_of};
+use crate::analysis::modes::Failure;
+use crate::analysis::steady::{Equilibrium, equilibrium};
+use crate::analysis::trim::fits;
+use crate::case::Words;
+use crate::input::Input;
+use crate::modes::{Eigenpair, ModeMotion};
+use crate::result::{BoundaryKind, ModePoint, StabilityRoot, Whirl};
+use crate::solver::LinearSolver;
+
+impl Source<'_> {
+    /// The roots at a value, from the modes that are known there or are found now.
+    pub(super) fn of_modes(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
+        if !self.branches.has(at) {
+            self.find_modes(at)?;
+            self.complete_from_nearest(at);
+        }
+        let (input, steady) = self.about(at)?;
+        let found = self.branches.at(at);
+        let found = found.ok_or_else(|| nothing("there are no modes"))?;
+        Ok(self.roots_of(&input, &steady, found))
+    }
+
+    /// Finds the modes at a value without the ones of other values.
+    pub(super) fn find_modes(&mut self, at: f64) -> Result<(), Failed> {
+        let (input, steady) = self.about(at)?;
+        let settings = input
+            .modes
+            .as_ref()
+            .ok_or_else(|| nothing("[modes] is missing"))?;
+        let count = self.settings.count.unwrap_or(0).max(settings.count);
+        let linearized = Linearized::new(&input.model, &steady);
+        let solver = LinearSolver::new(input.model.system.pattern());
+        let problem = linearized.problem(&solver).ok_or_else(|| {
+            let failure = Failure::Singular {
+                speed: speed(&input),
+            };
+            let remedy = "hold the motion by a stiffness, or choose other values of the parameter";
+            [failure.to_string(), remedy.to_owned()]
+        })?;
+        let lowest = problem.lowest(count + copies(&input.model) - 1);
+        let real = lowest.real.iter().map(|value| problem.real_pair(*value));
+        let real = real.collect();
+        self.branches
+            .add(at, Found::new(lowest.pairs, real, lowest.unconfirmed));
+        Ok(())
+    }
+
+    /// The model at a value with its equilibrium, from the nearest known one.
+    pub(super) fn about(&mut self, at: f64) -> Result<(Input, Equilibrium), Failed> {
+        let Some(trim) = self.trim else {
+            let input = self.input(at)?;
+            let steady = self.steady(at, &input)?;
+            return Ok((input, steady));
+        };
+        let (input, _) = self.trimmed(at, trim)?;
+        let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
+        // In small motions the controls are constant.
+        conditions.loading.released = 1.0;
+        let known = self.known.iter().find(|known| known.at == at);
+        let state = known.map(|known| known.state.clone());
+        let steady = state.map(|state| Equilibrium {
+            state,
+            conditions,
+            iterations: 0,
+            residual: 0.0,
+        });
+        let steady = steady.ok_or_else(|| nothing("the trim has no state"))?;
+        Ok((input, steady))
+    }
+
+    /// The equilibrium, from the nearest known one.
+    fn steady(&mut self, at: f64, input: &Input) -> Result<Equilibrium, Failed> {
+        let model = &input.model;
+        let conditions = model.conditions(speed(input), 1.0, 1.0);
+        let rest = model.system.rest();
+        let nothing = model.conditions(0.0, 1.0, 1.0);
+        let near = self.nearest(at).map(|near| &near.state);
+        let near = near.filter(|state| fits(state, model));
+        let solver = LinearSolver::new(model.system.pattern());
+        let from = |known, state| equilibrium(model, &solver, (known, state), &conditions);
+        let found = near.map(|state| from(&conditions, state));
+        let found = match found {
+            Some(Ok(found)) => Ok(found),
+            _ => from(&nothing, &rest),
+        };
+        let steady = found.map_err(|failure| {
+            let remedy = "choose values of the parameter at which the model has an equilibrium";
+            [failure.to_string(), remedy.to_owned()]
+        })?;
+        self.keep(at, &steady.state, Vec::new());
+        Ok(steady)
+    }
+
+    /// Modes as roots.
+    fn roots_of(&self, input: &Input, steady: &Equilibrium, found: &Found) -> Vec<StabilityRoot> {
+        let model = &input.model;
+        let speed = speed(input);
+        let style = input.modes.as_ref().map(|own| own.style.words);
+        let words = self.settings.words.or(style).unwrap_or_default();
+        let rotor = rotor(model, speed > 0.0);
+        let linearized = Linearized::new(model, steady);
+        let described = |pair: &Eigenpair, motion: ModeMotion| {
+            let mut point = point_of(pair.growth, pair.angular_frequency);
+            describe((model, rotor.as_ref()), &motion, &mut point);
+            (point, motion)
+        };
+        let all = found.oscillations.iter().zip(linearized.motions(
+            &found.oscillations,
+            |pair| pair.angular_frequency,
+            rotor.as_ref(),
+        ));
+        let oscillations = all.map(|(pair, motion)| {
+            let (point, motion) = described(pair, motion);
+            root((&point, &motion), speed, words)
+        });
+        let all = found.overdamped.iter().zip(linearized.motions(
+            &found.overdamped,
+            |pair| pair.growth.abs(),
+            rotor.as_ref(),
+        ));
+        let overdamped = all.map(|(pair, motion)| {
+            let (point, motion) = described(pair, motion);
+            overdamped((&point, &motion), speed, words)
+        });
+        let real = found.real.iter().map(|pair| {
+            let (point, motion) = described(pair, linearized.motion(pair));
+            root((&point, &motion), speed, words)
+        });
+        oscillations.chain(overdamped).chain(real).collect()
+    }
+}
+
+/// Speed of the modes of a file \[rad/s\].
+fn speed(input: &Input) -> f64 {
+    let settings = input.modes.as_ref();
+    let first = settings.and_then(|own| own.speeds.first().copied());
+    first.unwrap_or(0.0)
+}
+
+/// A mode of the turning frame, as seen from the fixed frame.
+fn root((point, motion): (&ModePoint, &ModeMotion), speed: f64, words: Words) -> StabilityRoot {
+    let whirl = point.whirl.filter(Whirl::is_pure);
+    let seen = whirl.map_or(point.frequency, |whirl| {
+        whirl.in_fixed_system(point.frequency, speed / TAU).0
+    });
+    let is_real = point.frequency == 0.0;
+    let frequency = if is_real { 0.0 } else { TAU * seen };
+    let doubt = match is_real {
+        true => 0.0,
+        false => ROUND_OFF * point.growth.hypot(TAU * point.frequency),
+    };
+    StabilityRoot {
+        doubt,
+        ..described((point, motion), frequency, words)
+    }
+}
+
+/// An overdamped mode: of blades that move around the rotor it turns with them in the fixed frame.
+fn overdamped(
+    (point, motion): (&ModePoint, &ModeMotion),
+    speed: f64,
+    words: Words,
+) -> StabilityRoot {
+    let whirl = point.whirl.filter(Whirl::is_pure);
+    let seen = whirl.map_or(0.0, |whirl| whirl.in_fixed_system(0.0, speed / TAU).0);
+    StabilityRoot {
+        is_overdamped: true,
+        ..described((point, motion), TAU * seen, words)
+    }
+}
+
+/// A mode of a frequency \[rad/s\] in the fixed frame.
+fn described(
+    (point, motion): (&ModePoint, &ModeMotion),
+    frequency: f64,
+    words: Words,
+) -> StabilityRoot {
+    let whirl = point.whirl.filter(Whirl::is_pure);
+    let pattern = whirl.filter(|whirl| whirl.blades > 0 || whirl.harmonic != 0);
+    let pattern = pattern.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
+    StabilityRoot {
+        kind: if frequency == 0.0 {
+            BoundaryKind::Divergence
+        } else {
+            BoundaryKind::Flutter
+        },
+        name: point.kind().word_in(words).to_owned(),
+        pattern: Some(pattern),
+        waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
+        shape: motion.parts().map(<[_]>::to_vec),
+        ..StabilityRoot::new(nalgebra::Complex::new(point.growth, frequency))
+    }
+}
