@@ -25,6 +25,7 @@ pub(super) mod cells;
 mod column;
 mod feet;
 mod fill;
+mod front;
 mod kinks;
 pub(super) mod line;
 mod mitre;
@@ -73,8 +74,12 @@ impl LayupSection {
             return Err(LayupProblem::Size { size, least });
         }
         let mut first = None;
+        let mut tight = None;
         for (reach, part) in ATTEMPTS {
             let wall = Wall::new(self, &outline, part * size, Reach(reach));
+            if let Ok(wall) = &wall {
+                tight = wall.tight.clone();
+            }
             let made = wall.and_then(|wall| build::mesh(self, &wall).map(|mesh| (mesh, wall)));
             let problem = match made {
                 Ok((mesh, wall)) => match sound(&mesh) {
@@ -93,7 +98,8 @@ impl LayupSection {
                 return Err(problem);
             }
         }
-        Err(first.unwrap_or(LayupProblem::NoLayers))
+        // a section whose layers meet ahead
+        Err(tight.or(first).unwrap_or(LayupProblem::NoLayers))
     }
 }
 
