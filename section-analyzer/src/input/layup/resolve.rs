@@ -156,7 +156,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Whether a layer is present.
-    fn has(&self, layer: &WrittenLayer) -> bool {
+    pub fn has(&self, layer: &WrittenLayer) -> bool {
         layer.thickness.covers(self.eta) && layer.thickness.at(self.eta) > ABSENT
     }
 
