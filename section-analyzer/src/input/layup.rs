@@ -16,6 +16,7 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 mod constants;
 mod course;
 mod edge;
+mod faded;
 mod fills;
 mod foot;
 mod keys;

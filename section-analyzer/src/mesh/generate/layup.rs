@@ -54,7 +54,7 @@ use wall::{Reach, Wall};
 /// Attempts to mesh a section: factors of the reach of contacts and of the size of cells.
 const ATTEMPTS: [(f64, f64); 4] = [(1.0, 1.0), (2.0, 1.0), (1.0, 0.5), (2.0, 0.5)];
 /// Number of cells around a contour if no size is given.
-const AROUND: f64 = 120.0;
+pub const AROUND: f64 = 120.0;
 
 impl LayupSection {
     /// The mesh, of quadrilaterals with 8 nodes and triangles with 6. Physical surfaces:

@@ -33,6 +33,8 @@ const STEPS_AHEAD: [usize; 2] = [200, 24];
 const FULL: f64 = 0.98;
 /// Points of each side in the table of x.
 const TABLE: usize = 300;
+/// Contacts nearer to each other than this part of a cell are one.
+pub(super) const JOINED: f64 = 0.5;
 /// Contacts shorter than this part of a cell are dropped.
 const SHORT: f64 = 0.05;
 
@@ -272,7 +274,7 @@ impl Pairs {
         for one in found {
             match joined
                 .last_mut()
-                .filter(|last| (one[0] - last[1]) * length < 0.5 * size)
+                .filter(|last| (one[0] - last[1]) * length < JOINED * size)
             {
                 Some(last) => last[1] = one[1],
                 None => joined.push(one),

@@ -5,7 +5,7 @@ use super::super::bisect::bisect;
 use super::front::Front;
 use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
-use super::pairs::{FOREMOST, Pair, Pairs};
+use super::pairs::{FOREMOST, JOINED, Pair, Pairs};
 use super::problem::{LayupProblem, Upright};
 use super::spar::SparWall;
 use super::stack::Stack;
@@ -345,6 +345,9 @@ impl Wall {
         self.contacts = self
             .pairs
             .contacts(&self.stack, self.size, is_face, &can_meet);
+        if self.edge == Edge::Face {
+            self.close_edge();
+        }
         let chord = self.chord();
         let mut zones: Vec<[f64; 2]> = Vec::new();
         for [from, to] in self.contacts.clone() {
@@ -359,6 +362,20 @@ impl Wall {
             }
         }
         self.zones = zones;
+    }
+
+    /// Lets the sides meet over the thickness of the layers ahead of the edge, as the wall across the
+    /// base would be thick: they do not meet in one node.
+    fn close_edge(&mut self) {
+        let thick = self.ends.map(|s| self.stack.total(s));
+        let from = 1.0 - thick[0].max(thick[1]) / self.pairs.scale();
+        let from = from.max(FOREMOST);
+        let mut last = [from, 1.0];
+        let gap = JOINED * self.size / self.pairs.scale();
+        while let Some(one) = self.contacts.pop_if(|one| one[1] >= last[0] - gap) {
+            last[0] = last[0].min(one[0]);
+        }
+        self.contacts.push(last);
     }
 
     fn reach_at(&self, x: f64) -> f64 {
