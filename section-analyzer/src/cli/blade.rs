@@ -76,7 +76,10 @@ pub(super) fn solve_blade(
     let layup = layup.map_err(|problems| terminal.report_all(&problems))?;
     super::layup::write_remarks(&layup, terminal)?;
     let missed = layup.missed_layers(&stations_of(&layup, arguments));
-    let missed: Vec<String> = missed.iter().map(ToString::to_string).collect();
+    let mut missed: Vec<String> = missed.iter().map(ToString::to_string).collect();
+    let stations = stations_of(&layup, arguments);
+    let etas: Vec<f64> = stations.iter().map(SpanStation::meshed_at).collect();
+    missed.extend(layup.faded_layers(&etas));
     terminal.warn(file, &missed)?;
     let Some(line) = &layup.line else {
         let location = SourceLocation::file(file.display().to_string());

@@ -27,6 +27,9 @@ pub(super) fn describe(
     } else {
         arguments.eta.clone()
     };
+    for text in layup.faded_layers(&stations) {
+        writeln!(terminal.out, "  remark: {text}")?;
+    }
     let mut is_complete = true;
     for eta in stations {
         match layup.mesh(eta) {

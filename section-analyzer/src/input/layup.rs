@@ -16,6 +16,7 @@ use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 mod constants;
 mod course;
 mod edge;
+mod faded;
 mod fills;
 mod foot;
 mod keys;
@@ -28,6 +29,7 @@ mod problem;
 mod resolve;
 mod shape;
 mod span;
+mod swapped;
 mod taper;
 mod windio;
 
@@ -243,8 +245,13 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     if let Some(layup) = layup.as_mut().filter(|_| has_names) {
         layup.remarks = layup.idle_places();
         let problems = layup.wrong_places().into_iter();
-        for (line, problem) in problems.chain(layup.idle_webs()) {
-            document.note(line, &problem);
+        let problems: Vec<_> = problems.chain(layup.idle_webs()).collect();
+        let swapped = match problems[..] {
+            [] => layup.swapped_layers(),
+            _ => Vec::new(),
+        };
+        for (line, problem) in problems.iter().chain(&swapped) {
+            document.note(*line, problem);
         }
     }
     document.finish(layup)

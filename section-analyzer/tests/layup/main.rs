@@ -13,6 +13,7 @@ mod fills;
 mod invariances;
 mod keys;
 mod narrow;
+mod nose;
 mod prevabs;
 mod prevabs_files;
 mod random;

@@ -1,8 +1,9 @@
 //! All stations of the public blades, meshed from their windIO files, and some of them solved.
 
 use section_analyzer::analysis::analyze;
-use section_analyzer::input::layup::Layup;
-use section_analyzer::mesh::generate::layup::LayerArea;
+use section_analyzer::input::layup::{Layup, parse};
+use section_analyzer::mesh::generate::layup::{LayerArea, Outline};
+use section_analyzer::properties::Perimeter;
 use serde_json::Value;
 
 use crate::effort;
@@ -95,6 +96,90 @@ fn all_stations_of_public_blades_are_meshed() {
     assert!(counts[0] >= 69 && counts[2] == 1, "{counts:?}");
 }
 
+/// The trailing edge is closed over the thickness of the layers, and the space behind the last web is a
+/// hole of its own: where the layers of both sides fit beside each other on the base of IEA-15, from
+/// 0.44 to 0.45, both sides were joined in one node, and the boundary of the hole counted as the outer
+/// one. The outer boundary is at most as long as the contour.
+#[test]
+fn both_sides_are_joined_at_the_trailing_edge() {
+    let layup = blade("windio1_iea15");
+    for eta in [0.3, 0.4, 0.43, 0.44, 0.445, 0.449, 0.455, 0.6, 0.8] {
+        let input = section(&layup, eta).section;
+        let all: Vec<usize> = (0..input.mesh.cells.len()).collect();
+        let perimeter = Perimeter::of(&input.mesh, &all);
+        let made = layup.section(eta).expect("a section");
+        let outline = Outline::new(&made.contour).expect("a contour");
+        println!("{eta} {perimeter:?} {}", outline.perimeter());
+        let webs = made.webs.iter().filter(|web| !web.plies.is_empty()).count();
+        assert_eq!(
+            (perimeter.outer.len(), perimeter.holes.len()),
+            (1, webs + 1),
+            "{eta}"
+        );
+        let part = perimeter.outer_length() / outline.perimeter();
+        assert!(part > 0.98 && part < 1.0 + 1e-4, "{eta}: {part}");
+    }
+}
+
+/// A ply of a web that fades out is absent where it is thinner than a thousandth of the cells, and
+/// the remark names it: cells 1686 times as long as thick had no solution. A thin coat is no such ply.
+#[test]
+fn a_ply_that_fades_out_is_absent() {
+    let text = "units = \"SI\"
+[shape]
+chord = 1
+naca = \"0018\"
+[[layer]]
+name = \"coat\"
+material = \"soft\"
+thickness = 1e-5
+[[layer]]
+name = \"skin\"
+material = \"stiff\"
+thickness = 2e-3
+[[web]]
+name = \"web\"
+at = { x = 0.4 }
+[[web.plies]]
+name = \"fore\"
+material = \"stiff\"
+thickness = 1e-3
+[[web.plies]]
+name = \"filler\"
+material = \"soft\"
+thickness = { eta = [0, 1], value = [0.01, 0], course = \"linear\" }
+[[web.plies]]
+name = \"aft\"
+material = \"stiff\"
+thickness = 1e-3
+[material.stiff]
+young = 20e9
+poisson = 0.3
+density = 1900
+[material.soft]
+young = 50e6
+poisson = 0.3
+density = 100
+";
+    let layup = parse(text, std::path::Path::new("a.layup.toml"));
+    let layup = layup.unwrap_or_else(|problems| panic!("{problems}"));
+    // cells of 17 mm
+    let stations = [0.0, 0.9, 0.998, 0.999, 0.9995];
+    let remarks = layup.faded_layers(&stations);
+    let expected = "line 20: layer \"filler\" is thinner than a thousandth of the cells, and absent: \
+                    eta 0.999, 0.9995";
+    assert_eq!(remarks, [expected]);
+    let stiffness = stations.map(|eta| {
+        let solution = analyze(&section(&layup, eta).section);
+        let solution = solution.unwrap_or_else(|failure| panic!("{eta}: {failure}"));
+        measures(&solution)
+    });
+    // the filler of 20 um has a five hundredth of the stiffness of the web
+    for (thin, none) in stiffness[2].iter().zip(stiffness[3]) {
+        assert!((thin / none - 1.0).abs() < 1e-3, "{thin} {none}");
+    }
+}
+
 /// Between the root and the first airfoil of IEA-15 the contour goes from a circle to a base with
 /// a hook before its corner; the wall is as thick as the base is long. All of it is meshed, and
 /// every layer of more than 1 % has its area on the curved surface with mitred corners within 0.5 %,
@@ -143,8 +228,12 @@ const MESHER: [(&str, [f64; 5]); 4] = [
 /// Largest differences from the published IEA-22, made with another program on its own mesh.
 const PUBLISHED: [f64; 5] = [6e-3, 4e-3, 1e-2, 1.6e-2, 2e-2];
 
-/// The published matrices of the other blades are not of their layups; at 0.517, beside the end of
-/// a web, the published one is the mean of both sides.
+/// Stations of IEA-22 at which the published section is another one: at 0.172 it has 0.5 % more mass and a
+/// tension center that is 17 mm farther aft, thus more at its trailing edge than the layup; at 0.517,
+/// beside the end of a web, it is the mean of both sides.
+const OTHERS: [f64; 2] = [0.172, 0.517];
+
+/// The published matrices of the other blades are not of their layups.
 #[test]
 fn sections_of_public_blades_from_their_files() {
     for [name, file] in BLADES {
@@ -166,9 +255,14 @@ fn sections_of_public_blades_from_their_files() {
                     .zip(most)
                     .all(|(found, most)| found.abs() < *most)
             };
-            assert!(is_within(ours, most), "{name} {eta}: {ours:?}");
-            let is_published =
-                name == "iea22" && eta > 0.1 && eta < 0.9 && (eta - 0.517).abs() > 0.01;
+            let mut most = *most;
+            // both sides are joined over the thickness of the layers, there in one node
+            if (name, eta) == ("iea10", 0.928051) {
+                most[4] = 5e-2;
+            }
+            assert!(is_within(ours, &most), "{name} {eta}: {ours:?}");
+            let is_other = OTHERS.iter().any(|other| (eta - other).abs() < 0.01);
+            let is_published = name == "iea22" && eta > 0.1 && eta < 0.9 && !is_other;
             assert!(
                 !is_published || is_within(published, &PUBLISHED),
                 "{name} {eta}: {published:?}"

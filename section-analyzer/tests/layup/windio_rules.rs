@@ -147,6 +147,127 @@ fn rules_that_differ_are_named() {
     assert!(remark(&blade(&other), "rules").ends_with(expected));
 }
 
+/// A layer through the trailing edge, by both arcs, also beside its middle there, or by its middle and
+/// its width, is two layers; others may lie between its ends. Its area is that of the layer.
+#[test]
+fn a_layer_through_the_trailing_edge_is_two() {
+    let arcs = flat(&[("start_nd_arc", 0.947), ("end_nd_arc", 0.053)]);
+    let fixed = "midpoint_nd_arc: {fixed: TE}\n";
+    let width = flat(&[("width", 0.106 * TAU)]);
+    let cases = [
+        arcs.clone(),
+        arcs.clone() + fixed,
+        arcs.clone() + &flat(&[("midpoint_nd_arc", 1.0), ("width", 0.5)]),
+        width + fixed,
+    ];
+    for lines in cases {
+        let next = "        - name: next
+          material: glass
+          thickness: {grid: [0, 1], values: [0.002, 0.002]}
+          start_nd_arc: {fixed: part}
+          end_nd_arc: {grid: [0, 1], values: [0.2, 0.2]}
+airfoils:\n";
+        let web = "        - name: web
+          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}
+          end_nd_arc: {grid: [0, 1], values: [0.7, 0.7]}\n";
+        let text = version_1(&lines)
+            .replace("      webs:\n", "")
+            .replace(web, "");
+        let text = text.replace("airfoils:\n", next);
+        let layup = read(&text).unwrap_or_else(|problems| panic!("{lines}: {problems}"));
+        remark(&layup, "layer \"part\" goes through the trailing edge");
+        let section = layup.section(0.5);
+        let section = section.unwrap_or_else(|problems| panic!("{problems}"));
+        let arcs = section
+            .layers
+            .iter()
+            .map(|one| (&one.name[..], one.from, one.to));
+        let expected = [
+            ("skin", 0.0, 1.0),
+            ("part_suction", 0.0, 0.053),
+            ("part_pressure", 0.947, 1.0),
+            ("next", 0.053, 0.2),
+        ];
+        for (found, expected) in arcs.zip(expected) {
+            assert_eq!(found.0, expected.0, "{lines}");
+            close(1.0 + found.1, 1.0 + expected.1, 1e-6, &lines);
+            close(found.2, expected.2, 1e-6, &lines);
+        }
+        let meshed = layup
+            .mesh(0.5)
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let parts = meshed
+            .areas
+            .iter()
+            .filter(|area| area.name.starts_with("part"));
+        let area: f64 = parts.map(|area| area.meshed).sum();
+        // in the skin of 10 mm on the circle of 1 m
+        close(area, 0.106 * TAU * 0.002 * (1.0 - 0.011), 2e-3, &lines);
+        let written = section_analyzer::output::layup_file(&layup, "a.yaml");
+        let again =
+            section_analyzer::input::layup::parse(&written, std::path::Path::new("a.layup.toml"));
+        let again = again.unwrap_or_else(|problems| panic!("{problems}"));
+        assert_eq!(
+            again.section(0.5).ok(),
+            layup.section(0.5).ok(),
+            "{written}"
+        );
+    }
+}
+
+/// A layer that ends before it starts and does not go through the trailing edge, by its arcs or by the
+/// ends of other layers, is an error that names it.
+#[test]
+fn swapped_ends_are_refused() {
+    let swapped = [[0.71, 0.29], [0.4, 0.2], [0.9, 0.8]];
+    for [from, to] in swapped {
+        let lines = flat(&[("start_nd_arc", from), ("end_nd_arc", to)]);
+        let problem = read(&version_1(&lines)).expect_err("swapped ends");
+        let expected = format!(
+            "a.yaml:18: layer \"part\" at eta 0 starts at arc {from} and ends at {to}, expected"
+        );
+        assert!(
+            problem.contains(&expected) && problem.contains("swap them?"),
+            "{problem}"
+        );
+    }
+    // version 2: both handles of the anchor of a layer
+    let (_, text) = tube();
+    let handle = |key: &str, handle: &str| {
+        format!("          {key}: {{anchor: {{name: cap, handle: {handle}}}}}\n")
+    };
+    let (start, end) = ("start_nd_arc", "end_nd_arc");
+    let turned = text.replace(&handle(start, start), &handle(start, end));
+    let turned = turned.replace(&handle(end, end), &handle(end, start));
+    assert_ne!(turned, text);
+    let problem = read(&turned).expect_err("swapped anchors");
+    assert!(
+        problem.contains("layer \"cap\" at eta 0.1 starts at arc 0.24"),
+        "{problem}"
+    );
+}
+
+/// Round-off below zero is zero, and reported; other negative thicknesses are errors.
+#[test]
+fn round_off_of_thicknesses_is_zero() {
+    let with = |thickness: &str| {
+        let own = "values: [0.002, 0.002]}";
+        version_1("").replacen(own, &format!("values: [0.002, {thickness}]}}"), 1)
+    };
+    let layup = read(&with("-1.44e-20")).unwrap_or_else(|problems| panic!("{problems}"));
+    remark(
+        &layup,
+        "thickness of layer \"part\" is -1.44e-20 at 1: 0 is taken",
+    );
+    let section = layup.section(1.0).expect("a section");
+    assert_eq!(section.layers.len(), 1);
+    let problem = read(&with("-1e-5")).expect_err("a negative thickness");
+    assert!(
+        problem.contains("thickness of layer \"part\": found -0.00001 at 1"),
+        "{problem}"
+    );
+}
+
 /// A part of a rule names what it lacks.
 #[test]
 fn half_rules_are_refused() {

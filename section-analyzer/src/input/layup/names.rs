@@ -118,6 +118,11 @@ impl Layup {
         idle.map(problem).collect()
     }
 
+    /// Names that places refer to.
+    pub(super) fn place_names(&self) -> impl Iterator<Item = &str> {
+        self.all_places().filter_map(Place::name)
+    }
+
     /// All places that are given.
     fn all_places(&self) -> impl Iterator<Item = &Place> {
         let layers = self.layers.iter();

@@ -225,6 +225,20 @@ pub enum LayupFileProblem {
         /// The positions.
         found: String,
     },
+    /// A layer that ends before it starts.
+    #[error(
+        "layer \"{layer}\" at eta {eta} starts at arc {} and ends at {}, expected its start before its \
+         end",
+        rounded(.arcs[0]), rounded(.arcs[1])
+    )]
+    Swapped {
+        /// The layer.
+        layer: String,
+        /// The first position along the span at which it is compared [-].
+        eta: f64,
+        /// Its arcs [-].
+        arcs: [f64; 2],
+    },
     /// A section that cannot be meshed.
     #[error("eta {eta}: {problem}")]
     Section {
@@ -288,6 +302,12 @@ impl Explain for LayupFileProblem {
             ),
             Self::Range { .. } => Some(
                 "eta = [0.1, 0.9]; without it, the web or fill has the whole span".into(),
+            ),
+            Self::Swapped { .. } => Some(
+                "swap them? Arcs grow from the trailing edge over the suction side to the nose, and on \
+                 the pressure side from the nose to the trailing edge; a layer through the trailing edge \
+                 is two layers"
+                    .into(),
             ),
             Self::Section { problem, .. } => problem.help(),
             _ => None,

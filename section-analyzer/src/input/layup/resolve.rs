@@ -156,8 +156,28 @@ impl<'a> Resolver<'a> {
     }
 
     /// Whether a layer is present.
-    fn has(&self, layer: &WrittenLayer) -> bool {
-        layer.thickness.covers(self.eta) && layer.thickness.at(self.eta) > ABSENT
+    pub fn has(&self, layer: &WrittenLayer) -> bool {
+        self.thickness(layer) > ABSENT && !self.is_faded(layer)
+    }
+
+    /// The thickness of a layer; 0 outside of its table.
+    pub fn thickness(&self, layer: &WrittenLayer) -> f64 {
+        let is_there = layer.thickness.covers(self.eta);
+        if is_there {
+            layer.thickness.at(self.eta)
+        } else {
+            0.0
+        }
+    }
+
+    /// Length of the contour.
+    pub fn perimeter(&self) -> f64 {
+        self.outline.perimeter()
+    }
+
+    /// The layup.
+    pub fn layup(&self) -> &Layup {
+        self.layup
     }
 
     /// Whether the web under which a layer lies does not stand here.

@@ -34,6 +34,7 @@ mod layers;
 mod materials;
 mod places;
 mod planes;
+mod seam;
 mod shape;
 mod version;
 mod version1;
@@ -138,7 +139,7 @@ fn blade(
     let (used, parts) = layers::read(structure, root, &places, notes);
     known::report_others(structure, version, notes);
     let constants = materials::constants(root, &used, materials, notes);
-    let (shape, (layers, webs)) = (shape?, parts?);
+    let (shape, (layers, webs, named)) = (shape?, parts?);
     for (line, problem) in wrong_names(&layers, &webs, &[]) {
         let location = SourceLocation::line(&file, line);
         let _: Option<()> = notes
@@ -148,7 +149,7 @@ fn blade(
     let layup = Layup {
         name: None,
         shape,
-        places: Vec::new(),
+        places: named,
         layers,
         webs,
         fills: Vec::new(),
@@ -161,6 +162,13 @@ fn blade(
         file,
         shape_line: outer.map_or(1, |outer| outer.line),
     };
+    let layup = seam::with_used_places(layup);
+    for (line, problem) in layup.swapped_layers() {
+        let location = SourceLocation::line(&layup.file, line);
+        let _: Option<()> = notes
+            .problems
+            .keep(Err(Diagnostics::one(location, &problem)));
+    }
     compare(&layup, &places, notes);
     notes.remarks.extend(fiber_sign(&layup.layers));
     Some(layup)

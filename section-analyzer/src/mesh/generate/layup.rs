@@ -25,6 +25,7 @@ pub(super) mod cells;
 mod column;
 mod feet;
 mod fill;
+mod front;
 mod kinks;
 pub(super) mod line;
 mod mitre;
@@ -53,7 +54,7 @@ use wall::{Reach, Wall};
 /// Attempts to mesh a section: factors of the reach of contacts and of the size of cells.
 const ATTEMPTS: [(f64, f64); 4] = [(1.0, 1.0), (2.0, 1.0), (1.0, 0.5), (2.0, 0.5)];
 /// Number of cells around a contour if no size is given.
-const AROUND: f64 = 120.0;
+pub const AROUND: f64 = 120.0;
 
 impl LayupSection {
     /// The mesh, of quadrilaterals with 8 nodes and triangles with 6. Physical surfaces:
@@ -73,8 +74,12 @@ impl LayupSection {
             return Err(LayupProblem::Size { size, least });
         }
         let mut first = None;
+        let mut tight = None;
         for (reach, part) in ATTEMPTS {
             let wall = Wall::new(self, &outline, part * size, Reach(reach));
+            if let Ok(wall) = &wall {
+                tight = wall.tight.clone();
+            }
             let made = wall.and_then(|wall| build::mesh(self, &wall).map(|mesh| (mesh, wall)));
             let problem = match made {
                 Ok((mesh, wall)) => match sound(&mesh) {
@@ -93,7 +98,8 @@ impl LayupSection {
                 return Err(problem);
             }
         }
-        Err(first.unwrap_or(LayupProblem::NoLayers))
+        // a section whose layers meet ahead
+        Err(tight.or(first).unwrap_or(LayupProblem::NoLayers))
     }
 }
 

@@ -62,6 +62,10 @@ fn wrapped([start, end]: [Place; 2], what: &str, line: usize, notes: &mut Notes)
     let (PlaceForm::Arc(from), PlaceForm::Arc(to)) = (&start.form, &end.form) else {
         return [start, end];
     };
+    // a layer whose middle is the edge starts before it
+    if start.shift.points().any(|(_, shift)| shift != 0.0) {
+        return [start, end];
+    }
     let is_wrong =
         |eta: f64, arc: f64| arc > 1.0 - ROUND_OFF && to.at(eta) < 1.0 - 100.0 * ROUND_OFF;
     if !from.points().any(|(eta, arc)| is_wrong(eta, arc)) {

@@ -8,11 +8,14 @@ use super::super::place::Place;
 use super::super::{WrittenLayer, WrittenWeb};
 use super::angles::{self, Angle};
 use super::places::{Holder, Places};
+use super::seam;
 use super::version::Version;
 use super::{Notes, course, items, required, word};
 
 /// Parts of a web or an angle that differ by less are equal [-] or \[rad\].
 const SAME: f64 = 1e-6;
+/// Negative thicknesses and numbers of plies above this one are round-off \[m\] or [-].
+const ROUND_OFF: f64 = 1e-6;
 /// Largest difference of a thickness and its plies that is not reported, as a part of them.
 const SAME_THICKNESS: f64 = 0.01;
 /// Tables of the structure that are read, or that do not belong to a section.
@@ -27,8 +30,8 @@ const KNOWN: [&str; 8] = [
     "lofted_shape",
 ];
 
-/// The layers of the shell and the webs of a blade.
-pub(super) type Parts = (Vec<WrittenLayer>, Vec<WrittenWeb>);
+/// The layers of the shell and the webs of a blade, and places by their names.
+pub(super) type Parts = (Vec<WrittenLayer>, Vec<WrittenWeb>, Vec<(String, Place)>);
 
 /// The first use of a material.
 pub(super) struct Used {
@@ -90,7 +93,7 @@ fn parts<'n>(
         .iter()
         .filter_map(|node| node.entry("name")?.text())
         .collect();
-    let mut layers = Vec::new();
+    let (mut layers, mut named) = (Vec::new(), Vec::new());
     for item in list? {
         let Some(name) = word(item, "a layer", "name", notes) else {
             is_complete = false;
@@ -99,8 +102,12 @@ fn parts<'n>(
         Used::note(used, item, name);
         let read = layer(item, name, root, places, notes);
         let Some(web) = item.entry("web") else {
-            layers.extend(read);
-            is_complete &= layers.last().is_some_and(|layer| layer.name == name);
+            is_complete &= read.is_some();
+            let parts = read.map(|layer| {
+                let to = (&mut named, &mut notes.remarks);
+                seam::divided(layer, item, to)
+            });
+            layers.extend(parts.into_iter().flatten());
             continue;
         };
         let found = web.text().unwrap_or_default();
@@ -123,7 +130,7 @@ fn parts<'n>(
         is_complete &= bond_lines(node, places, (&mut layers, used), notes).is_some();
     }
     report_others(structure, notes);
-    is_complete.then_some((layers, webs))
+    is_complete.then_some((layers, webs, named))
 }
 
 /// Reports the tables of the structure that are not meshed.
@@ -245,7 +252,8 @@ fn measure(node: &Node, (key, of): (&str, &str), notes: &mut Notes) -> Option<Co
         return None;
     }
     let read = course(node, &what, notes)?;
-    if let Some((eta, value)) = read.points().find(|(_, value)| *value < 0.0) {
+    let is_negative = |value: f64| value < -ROUND_OFF;
+    if let Some((eta, value)) = read.points().find(|(_, value)| is_negative(*value)) {
         let found = format!("{value} at {eta}");
         notes.wrong(
             node.line,
@@ -253,7 +261,12 @@ fn measure(node: &Node, (key, of): (&str, &str), notes: &mut Notes) -> Option<Co
         );
         return None;
     }
-    Some(read)
+    if let Some((eta, value)) = read.points().find(|(_, value)| *value < 0.0) {
+        let line = node.line;
+        let text = format!("line {line}: {what} is {value:e} at {eta}: 0 is taken");
+        notes.remarks.push(text);
+    }
+    Some(read.map(|_, value| value.max(0.0)))
 }
 
 /// The angle of the fibers, toward the leading edge \[rad\].

@@ -7,7 +7,8 @@ use shared_geom::exchange::yaml::Node;
 
 use super::super::course::Course;
 use super::super::place::{Place, PlaceForm, SIDES};
-use super::places::{Doubt, END, Holder, KEYS, MIDDLE, Places, START, arc, half, is_padding};
+use super::places::{Doubt, END, Holder, KEYS, MIDDLE, Places, START, arc, half};
+use super::seam::is_middle_at_edge;
 use super::{Notes, course, word};
 
 /// A rule with all its parts: its name, and both places.
@@ -22,7 +23,12 @@ impl<'n> Places<'n> {
         of: &str,
         notes: &mut Notes,
     ) -> Option<[Place; 2]> {
+        // programs write a middle at the trailing edge beside arcs
+        let has_arcs = [START, END].iter().all(|key| item.entry(key).is_some());
+        let at_edge = holder == Holder::Layer && is_middle_at_edge(item);
+        let is_padded = has_arcs && is_middle_at_edge(item);
         let arcs = [START, END, MIDDLE].map(|key| match item.entry(key) {
+            Some(_) if key == MIDDLE && is_padded => Some(None),
             Some(node) => self.fixed(node, key, of, notes).map(Some),
             None => Some(None),
         });
@@ -32,16 +38,13 @@ impl<'n> Places<'n> {
         };
         let [start, end, middle] = arcs;
         let (start, end, middle, width) = (start?, end?, middle?, width?);
-        // programs write a middle of 0 beside arcs
-        let is_padded = start.is_some() && end.is_some();
-        let is_padded = is_padded && item.entry(MIDDLE).is_some_and(is_padding);
-        let arcs = [start, end, middle.filter(|_| !is_padded)];
+        let arcs = [start, end, middle];
         let has_plane = item.entry("offset_y_pa").is_some();
         let plane = match has_plane && (holder == Holder::Web || width.is_some()) {
             true => Some(self.plane_1(item, of, width.as_ref(), notes)?),
             false => None,
         };
-        let rules = rules(&arcs, width.as_ref(), plane);
+        let rules = rules(&arcs, width.as_ref(), plane, at_edge);
         let Some((first, others)) = rules.split_first() else {
             return around(holder, item, of, notes);
         };
@@ -119,12 +122,7 @@ impl<'n> Places<'n> {
             (_, Some((_, end, _))) if self.layers.iter().any(|layer| layer.0 == name) => {
                 Some(Place::of(PlaceForm::Named(format!("{name}.{end}"))))
             }
-            ("TE", None) => {
-                let found = "the trailing edge as the middle of a layer";
-                let help = "write two layers, one on each side";
-                notes.wrong(fixed.line, [&what, found, "a place on one side", help]);
-                None
-            }
+            ("TE", None) => Some(Place::arc(1.0)),
             _ => {
                 let layers = self.layers.iter().map(|layer| layer.0);
                 let known: Vec<&str> = ["TE", "LE"].into_iter().chain(layers).collect();
@@ -136,11 +134,13 @@ impl<'n> Places<'n> {
     }
 }
 
-/// The rules that have all their parts, in their order.
+/// The rules that have all their parts, in their order; of a layer whose middle is at the trailing
+/// edge.
 fn rules(
     [start, end, middle]: &[Option<Place>; 3],
     width: Option<&Course>,
     plane: Option<[Place; 2]>,
+    at_edge: bool,
 ) -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
     let both = start.as_ref().zip(end.as_ref());
@@ -162,7 +162,15 @@ fn rules(
         if let (Some(place), Some(_)) = (place, width)
             && !(is_left_out && both.is_some())
         {
-            all.push((name, factors.map(|factor| shifted(place, factor))));
+            let edge = [Place::arc(1.0), Place::arc(0.0)];
+            let pair = match factors {
+                // on both sides of the trailing edge
+                [from, to] if at_edge && from < 0.0 && to > 0.0 => {
+                    [shifted(&edge[0], from), shifted(&edge[1], to)]
+                }
+                _ => factors.map(|factor| shifted(place, factor)),
+            };
+            all.push((name, pair));
         }
     }
     all.extend(plane.map(|plane| ("offset_y_pa", plane)));

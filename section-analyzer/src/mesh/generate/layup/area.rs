@@ -103,12 +103,12 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
                 (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step
             };
             let limit = wall.cut_at(s).unwrap_or(f64::MAX);
-            let mut outer = 0.0;
+            let mut outer = 0.0_f64;
             for (layer, inner) in wall.stack.given_depths(s).into_iter().enumerate() {
-                sums[layer] += area([outer, inner]);
-                if inner > limit {
-                    cut[layer] += area([outer.max(limit), inner]);
-                }
+                // beyond the contact there is no surface: thickness times length
+                let beyond = (inner.max(limit) - outer.max(limit)) * step;
+                sums[layer] += area([outer.min(limit), inner.min(limit)]) + beyond;
+                cut[layer] += beyond;
                 outer = inner;
             }
         }

@@ -117,7 +117,9 @@ fn column_at(wall: &Wall, stations: &Stations, station: Station) -> (Column, Opt
     let (pair, weight) = &stations.pairs[number];
     let side = usize::from(station.s > wall.outline.nose());
     let column = wall.leaned(pair, side, *weight);
-    let contact = column.is_closed.then_some(number);
+    // all columns of a fan end in one node
+    let end = if pair.is_fan() { usize::MAX } else { number };
+    let contact = column.is_closed.then_some(end);
     (column, contact)
 }
 

@@ -7,7 +7,7 @@
 //! v = (1 - w) n + w u / (u . n)              before and behind the contact,
 //! ```
 //!
-//! all with v . n = 1. At a web at the trailing edge, u is the base. Beside corners columns lean along
+//! all with v . n = 1; ahead, u goes to the center of the circle of the pair. At a web at the trailing edge, u is the base. Beside corners columns lean along
 //! the surface.
 
 use super::bend::{Bend, Lean};
@@ -44,9 +44,10 @@ impl Wall {
             _ => self.pairs.x(side, s).min(1.0),
         };
         let Some(weight) = self.weight(s, x) else {
+            let fan = self.pairs.to_center(side, s);
             return Column {
                 point,
-                direction: self.outline.inward(s),
+                direction: fan.unwrap_or_else(|| self.outline.inward(s)),
                 depths: self.depths(s, None),
                 bend: self.bend(s),
                 is_closed: false,
@@ -75,9 +76,9 @@ impl Wall {
     /// The column of a side of a pair.
     pub fn leaned(&self, pair: &Pair, side: usize, weight: f64) -> Column {
         let s = pair.s[side];
-        let (n, sign) = (self.outline.inward(s), [1.0, -1.0][side]);
-        let lean = weight * sign / pair.cosines[side];
-        let direction = [0, 1].map(|i| (1.0 - weight) * n[i] + lean * pair.along[i]);
+        let n = self.outline.inward(s);
+        let lean = pair.direction(side, &self.stack);
+        let direction = [0, 1].map(|i| (1.0 - weight) * n[i] + weight * lean[i]);
         let is_closed = weight >= 1.0 && !self.is_on_base(s);
         let limit = is_closed.then(|| pair.limit(side, &self.stack));
         Column {

@@ -343,6 +343,14 @@ impl Outline {
         self
     }
 
+    /// The contour with its nose at an arc length.
+    pub fn with_nose(&self, nose: f64) -> Self {
+        Self {
+            nose,
+            ..self.clone()
+        }
+    }
+
     /// The part of the contour between two arc lengths, with a base between its ends.
     pub fn between_ends(&self, ends: [f64; 2]) -> Self {
         let [from, to] = ends.map(|s| self.parameter(s));

@@ -11,9 +11,13 @@
 //! normal. They meet where g < 0, and before a wall only where the layers of a side are thicker
 //! than the radius of its inscribed circle (lines between steep sides are no measure): each side owns half of the
 //! line, and the rest of the other half that the layers there leave.
+//!
+//! Ahead, if layers meet there, p and q are on one circle in the section (`front.rs`): the way
+//! between them goes along both normals through its center, and both points have equal x.
 
 use super::super::super::distance;
 use super::super::bisect::bisect;
+use super::front::{Circle, Front};
 use super::outline::Outline;
 use super::stack::Stack;
 
@@ -23,8 +27,14 @@ const LEAST_COSINE: f64 = 0.2;
 pub(super) const FOREMOST: f64 = 0.12;
 /// Steps of the search for contacts.
 const STEPS: usize = 600;
+/// Steps of the search ahead of the foremost x, and in the fan.
+const STEPS_AHEAD: [usize; 2] = [200, 24];
+/// Part of the depth of the center of a fan that layers which do not meet may fill.
+const FULL: f64 = 0.98;
 /// Points of each side in the table of x.
 const TABLE: usize = 300;
+/// Contacts nearer to each other than this part of a cell are one.
+pub(super) const JOINED: f64 = 0.5;
 /// Contacts shorter than this part of a cell are dropped.
 const SHORT: f64 = 0.05;
 
@@ -39,6 +49,8 @@ pub(in super::super) struct Pairs {
     lengths: [f64; 2],
     /// Arc length and x of points of each side, from the edge to the nose.
     table: [Vec<[f64; 2]>; 2],
+    /// The circles ahead, if layers meet there, and the x of the end of their fan.
+    front: Option<(Front, f64)>,
 }
 
 /// A pair.
@@ -52,11 +64,17 @@ pub(in super::super) struct Pair {
     pub cosines: [f64; 2],
     /// Length of the line.
     pub length: f64,
+    /// Its circle, and the part that it has of the pair.
+    circle: Option<(Circle, f64)>,
+    /// Its points and the normals there.
+    points: [[f64; 2]; 2],
+    normals: [[f64; 2]; 2],
 }
 
 impl Pairs {
-    /// The pairs ahead of `edges`.
-    pub fn new(outline: &Outline, edges: [f64; 2]) -> Self {
+    /// The pairs ahead of `edges`; with circles ahead, whose nose is that of the outline, they go to
+    /// the nose.
+    pub fn new(outline: &Outline, front: Option<&Front>, edges: [f64; 2]) -> Self {
         let (nose, middle) = (outline.position(outline.nose()), outline.middle());
         let chord = distance(nose, middle);
         let aft = [0, 1].map(|i| (middle[i] - nose[i]) / chord);
@@ -67,8 +85,13 @@ impl Pairs {
             nose,
             lengths: [1.0; 2],
             table: [Vec::new(), Vec::new()],
+            front: None,
         };
         pairs.lengths = edges.map(|s| pairs.behind(s));
+        pairs.front = front.map(|front| {
+            let end = pairs.behind(front.fan[0]) / pairs.lengths[0];
+            (front.clone(), end)
+        });
         pairs.table = [0, 1].map(|side| {
             let (from, to) = (edges[side], outline.nose());
             let s = |i: usize| from + (to - from) * i as f64 / TABLE as f64;
@@ -85,7 +108,41 @@ impl Pairs {
 
     /// The x of a point; its side is 0 or 1.
     pub fn x(&self, side: usize, s: f64) -> f64 {
-        self.behind(s) / self.lengths[side]
+        let own = self.behind(s) / self.lengths[side];
+        let Some((front, end)) = &self.front else {
+            return own;
+        };
+        if front.is_fan(side, s) {
+            return end * front.part_of_fan(side, s);
+        }
+        let part = Front::part(own, *end);
+        if side == 0 || part == 0.0 {
+            return own;
+        }
+        let partner = self.behind(front.partner(s)) / self.lengths[0];
+        part * partner + (1.0 - part) * own
+    }
+
+    /// The x of the end of the fan, if there is one.
+    pub fn fan(&self) -> Option<f64> {
+        self.front.as_ref().map(|(_, end)| *end)
+    }
+
+    /// Foremost x at which layers can meet.
+    pub fn foremost(&self) -> f64 {
+        self.front.as_ref().map_or(FOREMOST, |_| 0.0)
+    }
+
+    /// The direction to the center of the fan at an arc length of it, of unit component along the
+    /// normal.
+    pub fn to_center(&self, side: usize, s: f64) -> Option<[f64; 2]> {
+        let (front, _) = self.front.as_ref()?;
+        let is_fan = front.is_fan(side, s);
+        is_fan.then(|| {
+            let circle = front.circle(&self.outline, front.fan);
+            let p = self.outline.position(s);
+            toward(circle.center, p, self.outline.inward(s))
+        })
     }
 
     /// The point of a side at x.
@@ -106,7 +163,12 @@ impl Pairs {
                 break;
             }
         }
-        s.clamp(s0.min(s1), s0.max(s1))
+        let s = s.clamp(s0.min(s1), s0.max(s1));
+        if self.front.is_some() && (x - self.x(side, s)).abs() > 1e-12 {
+            // the slope changes at the end of the fan
+            return bisect([s0, s1], true, |s| self.x(side, s) > x);
+        }
+        s
     }
 
     /// Length from the nose to the edge of the suction side, x = 1.
@@ -121,19 +183,52 @@ impl Pairs {
 
     /// The pair of two points.
     pub fn between(&self, s: [f64; 2]) -> Pair {
-        let [p, q] = s.map(|s| self.outline.position(s));
+        let points = s.map(|s| self.outline.position(s));
+        let normals = s.map(|s| self.outline.inward(s));
+        let [p, q] = points;
         let length = distance(p, q).max(f64::MIN_POSITIVE);
         let along = [0, 1].map(|i| (q[i] - p[i]) / length);
-        let cosine = |side: usize, sign: f64| {
-            let n = self.outline.inward(s[side]);
-            (sign * (along[0] * n[0] + along[1] * n[1])).max(LEAST_COSINE)
-        };
+        let cosine = |side: usize, sign: f64| (sign * dot(along, normals[side])).max(LEAST_COSINE);
+        let circle = self.front.as_ref().map(|(front, end)| {
+            let part = Front::part(self.x(0, s[0]), *end);
+            (front.circle(&self.outline, s), part)
+        });
         Pair {
             s,
             along,
             cosines: [cosine(0, 1.0), cosine(1, -1.0)],
             length,
+            circle: circle.filter(|(_, part)| *part > 0.0),
+            points,
+            normals,
         }
+    }
+
+    /// The x at which it is searched whether layers meet.
+    fn searched(&self) -> Vec<f64> {
+        let aft = |i: usize| FOREMOST + (1.0 - FOREMOST) * i as f64 / STEPS as f64;
+        let end = self.fan().unwrap_or(FOREMOST).min(FOREMOST);
+        let ahead = |i: usize| {
+            let part = i as f64 / STEPS_AHEAD[0] as f64;
+            end + (FOREMOST - end) * part * part
+        };
+        let ahead = (0..STEPS_AHEAD[0]).filter(|_| end < FOREMOST).map(ahead);
+        ahead.chain((0..=STEPS).map(aft)).collect()
+    }
+
+    /// Whether layers are too thick for a fan that is open.
+    fn fills_fan(&self, stack: &Stack) -> bool {
+        let Some(end) = self.fan() else {
+            return false;
+        };
+        let fills = |i: usize| {
+            let pair = self.pair(end * i as f64 / STEPS_AHEAD[1] as f64);
+            let radii = pair
+                .circle
+                .map_or([f64::INFINITY; 2], |(circle, _)| circle.radii);
+            (0..2).any(|side| stack.total(pair.s[side]) > FULL * radii[side])
+        };
+        (0..=STEPS_AHEAD[1]).any(fills)
     }
 
     /// Where the layers meet: intervals of x, foremost first, in which `can_meet` is true of the
@@ -149,16 +244,18 @@ impl Pairs {
             let pair = self.pair(x);
             pair.gap(stack) < 0.0 && can_meet(&pair)
         };
-        let at = |i: usize| FOREMOST + (1.0 - FOREMOST) * i as f64 / STEPS as f64;
+        let at = self.searched();
         let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut last = meets(at(0));
-        if last {
-            found.push([at(0), at(0)]);
+        let mut last = meets(at[0]);
+        if self.fills_fan(stack) {
+            found.push([0.0, at[0]]);
+        } else if last {
+            found.push([at[0], at[0]]);
         }
-        for i in 1..=STEPS {
-            let next = meets(at(i));
+        for step in at.windows(2) {
+            let next = meets(step[1]);
             if last != next {
-                let fork = bisect([at(i - 1), at(i)], last, meets);
+                let fork = bisect([step[0], step[1]], last, meets);
                 if next {
                     found.push([fork, fork])
                 } else {
@@ -177,13 +274,15 @@ impl Pairs {
         for one in found {
             match joined
                 .last_mut()
-                .filter(|last| (one[0] - last[1]) * length < 0.5 * size)
+                .filter(|last| (one[0] - last[1]) * length < JOINED * size)
             {
                 Some(last) => last[1] = one[1],
                 None => joined.push(one),
             }
         }
-        joined.retain(|one| one[1] >= 1.0 || (one[1] - one[0]) * length > SHORT * size);
+        let is_fan = |one: &[f64; 2]| one[0] == 0.0;
+        let is_long = |one: &[f64; 2]| (one[1] - one[0]) * length > SHORT * size;
+        joined.retain(|one| one[1] >= 1.0 || is_fan(one) || is_long(one));
         joined
     }
 
@@ -196,22 +295,55 @@ impl Pairs {
                 let limit = pair.limit(side, stack);
                 let depths = stack.depths(pair.s[side]);
                 signs.extend(depths.into_iter().map(|depth| depth > limit * (1.0 + 1e-9)));
-                signs.push(pair.need(side, stack) > 0.5 * pair.length);
+                signs.push(pair.takes_more(side, stack));
             }
             signs
         };
         let steps = ((to - from) * STEPS as f64).ceil().max(1.0) as usize;
-        let at = |i: usize| from + (to - from) * i as f64 / steps as f64;
+        let mut at: Vec<f64> = (0..=steps)
+            .map(|i| from + (to - from) * i as f64 / steps as f64)
+            .collect();
+        if self.front.is_some() {
+            at.extend(self.searched().into_iter().filter(|x| *x > from && *x < to));
+            at.sort_by(f64::total_cmp);
+        }
         let mut cuts = Vec::new();
-        let mut last = signs(at(0));
-        for i in 1..=steps {
-            let next = signs(at(i));
+        let mut last = signs(from);
+        for step in at.windows(2) {
+            let next = signs(step[1]);
             for k in (0..next.len()).filter(|k| next[*k] != last[*k]) {
-                cuts.push(bisect([at(i - 1), at(i)], last[k], |x| signs(x)[k]));
+                cuts.push(bisect([step[0], step[1]], last[k], |x| signs(x)[k]));
             }
             last = next;
         }
         cuts
+    }
+}
+
+/// The direction from a point to another one, of unit component along the normal there.
+fn toward(to: [f64; 2], from: [f64; 2], normal: [f64; 2]) -> [f64; 2] {
+    let d = [0, 1].map(|i| to[i] - from[i]);
+    let depth = dot(d, normal).max(f64::MIN_POSITIVE);
+    d.map(|component| component / depth)
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The length that the first side has of both their halves, if they need these lengths: of its own
+/// half, and of the half of the other one that is left.
+fn share([a, b]: [f64; 2], halves: [f64; 2]) -> f64 {
+    let length = halves[0] + halves[1];
+    let gap = length - a - b;
+    if gap >= 0.0 {
+        a + 0.5 * gap
+    } else if a <= halves[0] {
+        a
+    } else if b <= halves[1] {
+        length - b
+    } else {
+        halves[0]
     }
 }
 
@@ -221,24 +353,77 @@ impl Pair {
         stack.total(self.s[side]) / self.cosines[side]
     }
 
-    /// Length of the line that the layers leave.
+    /// Length of the line, or of both radii of the circle, that the layers leave.
     pub fn gap(&self, stack: &Stack) -> f64 {
-        self.length - self.need(0, stack) - self.need(1, stack)
+        let line = self.length - self.need(0, stack) - self.need(1, stack);
+        match &self.circle {
+            None => line,
+            Some((circle, part)) => {
+                let taken: f64 = self.s.iter().map(|s| stack.total(*s)).sum();
+                part * (circle.radii[0] + circle.radii[1] - taken) + (1.0 - part) * line
+            }
+        }
+    }
+
+    /// Whether the layers of a side need more than their half.
+    fn takes_more(&self, side: usize, stack: &Stack) -> bool {
+        match &self.circle {
+            Some((circle, part)) if *part > 0.5 => stack.total(self.s[side]) > circle.radii[side],
+            _ => self.need(side, stack) > 0.5 * self.length,
+        }
+    }
+
+    /// Whether its columns are in the fan, and end in its center.
+    pub fn is_fan(&self) -> bool {
+        self.circle.is_some_and(|(circle, _)| circle.is_fan)
+    }
+
+    /// Length of the line that the suction side has.
+    fn first(&self, stack: &Stack) -> f64 {
+        let needs = [0, 1].map(|side| self.need(side, stack));
+        share(needs, [0.5 * self.length; 2])
+    }
+
+    /// The point in which the columns of both sides end.
+    fn meeting(&self, stack: &Stack, (circle, part): &(Circle, f64)) -> [f64; 2] {
+        let needs = self.s.map(|s| stack.total(s));
+        // the line between both points has this part of the normals
+        let cosine = dot(self.along, self.normals[0]).clamp(0.0, 1.0);
+        let most = circle.radii[0] * cosine * cosine;
+        let shift = share(needs, circle.radii) - circle.radii[0];
+        let shift = if circle.is_fan || cosine == 0.0 {
+            0.0
+        } else {
+            shift.clamp(-most, most) / cosine
+        };
+        let first = self.first(stack);
+        let of_line = |i: usize| self.points[0][i] + first * self.along[i];
+        let of_circle = |i: usize| circle.center[i] + shift * self.along[i];
+        [0, 1].map(|i| part * of_circle(i) + (1.0 - part) * of_line(i))
+    }
+
+    /// The direction from a side to the other one in a contact, of unit component along the normal.
+    pub fn direction(&self, side: usize, stack: &Stack) -> [f64; 2] {
+        match &self.circle {
+            Some(circle) => {
+                let to = self.meeting(stack, circle);
+                toward(to, self.points[side], self.normals[side])
+            }
+            None => {
+                let sign = [1.0, -1.0][side] / self.cosines[side];
+                self.along.map(|component| sign * component)
+            }
+        }
     }
 
     /// Depth of the contact below a side.
     pub fn limit(&self, side: usize, stack: &Stack) -> f64 {
-        let [a, b] = [0, 1].map(|side| self.need(side, stack));
-        let gap = self.length - a - b;
-        let first = if gap >= 0.0 {
-            a + 0.5 * gap
-        } else if a <= 0.5 * self.length {
-            a
-        } else if b <= 0.5 * self.length {
-            self.length - b
-        } else {
-            0.5 * self.length
-        };
+        if let Some(circle) = &self.circle {
+            let to = self.meeting(stack, circle);
+            let d = [0, 1].map(|i| to[i] - self.points[side][i]);
+            return dot(d, self.normals[side]);
+        }
+        let first = self.first(stack);
         let share = if side == 0 {
             first
         } else {

@@ -64,7 +64,10 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
             let pair = Some(pairs.len());
             let weight = wall.weight_at(mark.at).unwrap_or(0.0);
             pairs.push((wall.pairs.between(s), weight));
-            fixed.extend(s.map(|s| Station { s, pair }));
+            // both points are one at the nose
+            let is_nose = s[0] >= s[1];
+            let points = s.into_iter().take(if is_nose { 1 } else { 2 });
+            fixed.extend(points.map(|s| Station { s, pair }));
         }
     }
     let perimeter = wall.outline.perimeter();
@@ -181,6 +184,8 @@ fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark>
         let one = mark(at, Kind::Kink(kink.near / wall.pairs.scale()));
         marks.extend(Some(one).filter(|one| is_in(one.at)));
     }
+    let fan = wall.pairs.fan().filter(|end| is_in(*end));
+    marks.extend(fan.map(|end| mark(end, Kind::Fixed)));
     let last = if to >= 1.0 { Kind::Fixed } else { Kind::Soft };
     marks.extend([mark(from, Kind::Soft), mark(to, last)]);
     let scale = wall.size / wall.pairs.scale();
@@ -229,7 +234,8 @@ fn divided_zone(wall: &Wall, marks: &[Mark]) -> Vec<Mark> {
         all.push(pair[0]);
         let [from, to] = [pair[0].at, pair[1].at];
         let length = |side: usize| (wall.pairs.at(side, from) - wall.pairs.at(side, to)).abs();
-        let cells = (length(0).max(length(1)) / wall.size).ceil().max(1.0);
+        let cells = (length(0).max(length(1)) / wall.size).max(turn_ahead(wall, [from, to]) / TURN);
+        let cells = cells.ceil().max(1.0);
         all.extend((1..cells as usize).map(|i| Mark {
             at: from + (to - from) * i as f64 / cells,
             kind: Kind::Soft,
@@ -237,6 +243,20 @@ fn divided_zone(wall: &Wall, marks: &[Mark]) -> Vec<Mark> {
     }
     all.extend(marks.last());
     all
+}
+
+/// The larger turn of both surfaces between two x, with circles ahead; 0 without them.
+fn turn_ahead(wall: &Wall, ends: [f64; 2]) -> f64 {
+    if wall.pairs.fan().is_none() {
+        return 0.0;
+    }
+    let turn = |side: usize| {
+        let [a, b] = ends.map(|x| wall.outline.inward(wall.pairs.at(side, x)));
+        (a[0] * b[1] - a[1] * b[0])
+            .atan2(a[0] * b[0] + a[1] * b[1])
+            .abs()
+    };
+    turn(0).max(turn(1))
 }
 
 /// Stations with those that divide the intervals between them.

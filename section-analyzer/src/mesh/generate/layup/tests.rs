@@ -103,7 +103,7 @@ fn areas_of_layers_are_exact() {
 #[test]
 fn sides_meet_where_the_layers_fill_the_height() {
     let outline = Outline::new(&wedge()).expect("a contour");
-    let pairs = Pairs::new(&outline, outline.corners());
+    let pairs = Pairs::new(&outline, None, outline.corners());
     for i in 1..10 {
         let x = 0.2 + 0.08 * f64::from(i);
         let pair = pairs.pair(x);

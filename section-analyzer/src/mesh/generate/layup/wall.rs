@@ -2,9 +2,10 @@
 
 use super::super::super::distance;
 use super::super::bisect::bisect;
+use super::front::Front;
 use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
-use super::pairs::{FOREMOST, Pair, Pairs};
+use super::pairs::{FOREMOST, JOINED, Pair, Pairs};
 use super::problem::{LayupProblem, Upright};
 use super::spar::SparWall;
 use super::stack::Stack;
@@ -57,6 +58,9 @@ fn of(section: &LayupSection) -> (&[Layer], Option<&Spar>) {
     (&section.layers, section.spar.as_ref())
 }
 
+/// A contour, and the circles ahead if layers meet there.
+type Shape<'a> = (&'a Outline, Option<&'a Front>);
+
 /// The wall of a section.
 #[derive(Debug, Clone)]
 pub(in super::super) struct Wall {
@@ -76,6 +80,10 @@ pub(in super::super) struct Wall {
     pub mitres: Vec<Mitre>,
     /// Its spar that turns into a web.
     pub spar: Option<SparWall>,
+    /// The circles ahead, if layers meet there.
+    front: Option<Front>,
+    /// The layer that is cut ahead, as a problem if that cannot be meshed.
+    pub tight: Option<LayupProblem>,
 }
 
 impl Wall {
@@ -86,26 +94,40 @@ impl Wall {
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
-        let wall = match section.at_edge().next() {
-            Some(web) => Self::ended((section, web), outline, size, reach),
-            None => Self::closed(section, outline, size, reach),
-        }?;
-        wall.check_radii()?;
+        let made = |shape: Shape<'_>| match section.at_edge().next() {
+            Some(web) => Self::ended((section, web), shape, size, reach),
+            None => Self::closed(section, shape, size, reach),
+        };
+        let wall = made((outline, None))?;
         wall.check_spar()?;
-        Ok(wall)
+        let Err(tight) = wall.check_radii() else {
+            return Ok(wall);
+        };
+        let can_meet = wall.edge != Edge::Smooth && wall.spar.is_none();
+        let front = can_meet.then(|| Front::new(outline)).flatten();
+        let Some(front) = front else {
+            return Err(tight);
+        };
+        let outline = outline.with_nose(front.nose);
+        let wall = made((&outline, Some(&front)));
+        wall.map(|wall| Self {
+            tight: Some(tight),
+            ..wall
+        })
     }
 
     /// The wall that a web at the trailing edge closes.
     fn ended(
         (section, web): (&LayupSection, &Web),
-        outline: &Outline,
+        shape: Shape<'_>,
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
         let mut wall = Self {
             edge: Edge::Butt,
-            ..Self::of_kind(of(section), outline, size, false)?
+            ..Self::of_kind(of(section), shape, size, false)?
         };
+        let outline = shape.0;
         if wall.ends.iter().any(|s| wall.stack.total(*s) <= 0.0) {
             return Err(LayupProblem::Open);
         }
@@ -128,25 +150,25 @@ impl Wall {
     /// The wall whose layers close the trailing edge.
     fn closed(
         section: &LayupSection,
-        outline: &Outline,
+        shape: Shape<'_>,
         size: f64,
         reach: Reach,
     ) -> Result<Self, LayupProblem> {
-        let ring = Self::of_kind(of(section), outline, size, true)?;
-        let mut wall = match outline.is_smooth() {
+        let ring = Self::of_kind(of(section), shape, size, true)?;
+        let mut wall = match shape.0.is_smooth() {
             true => Self {
                 edge: Edge::Smooth,
                 ..ring
             },
             false if ring.has_wall() => ring,
-            false => Self::of_kind(of(section), outline, size, false)?,
+            false => Self::of_kind(of(section), shape, size, false)?,
         };
         if wall.edge == Edge::Wall {
             wall.find_contacts(reach);
             let fade = wall.rear().map(Mitre::reach).fold(0.0, f64::max);
             let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - fade / wall.chord();
             if wall.zones.iter().any(meets) {
-                wall = Self::of_kind(of(section), outline, size, false)?;
+                wall = Self::of_kind(of(section), shape, size, false)?;
             }
         }
         if wall.edge == Edge::Face {
@@ -171,13 +193,13 @@ impl Wall {
         };
         Ok(Self {
             edge,
-            ..Self::of_kind(layers, outline, size, is_ring)?
+            ..Self::of_kind(layers, (outline, None), size, is_ring)?
         })
     }
 
     fn of_kind(
         layers: (&[Layer], Option<&Spar>),
-        outline: &Outline,
+        (outline, front): Shape<'_>,
         size: f64,
         is_ring: bool,
     ) -> Result<Self, LayupProblem> {
@@ -200,13 +222,15 @@ impl Wall {
             mitres: mitres(outline, &stack, has_rear, &stops),
             spar,
             stack,
-            pairs: Pairs::new(outline, ends),
+            pairs: Pairs::new(outline, front, ends),
             outline: outline.clone(),
             edge: if is_ring { Edge::Wall } else { Edge::Face },
             ends,
             contacts: Vec::new(),
             zones: Vec::new(),
             size,
+            front: front.cloned(),
+            tight: None,
         })
     }
 
@@ -289,7 +313,7 @@ impl Wall {
         };
         let cut = bisect([at(i), at(i - 1)], true, |x| excess(x) >= 0.0);
         self.ends = [0, 1].map(|side| self.pairs.at(side, cut));
-        self.pairs = Pairs::new(&self.outline, self.ends);
+        self.pairs = Pairs::new(&self.outline, self.front.as_ref(), self.ends);
         Ok(())
     }
 
@@ -321,20 +345,37 @@ impl Wall {
         self.contacts = self
             .pairs
             .contacts(&self.stack, self.size, is_face, &can_meet);
+        if self.edge == Edge::Face {
+            self.close_edge();
+        }
         let chord = self.chord();
         let mut zones: Vec<[f64; 2]> = Vec::new();
         for [from, to] in self.contacts.clone() {
             let reach = |x: f64| self.reach_at(x) * factor / chord;
-            let zone = [
-                (from - reach(from)).max(FOREMOST),
-                (to + reach(to)).min(1.0),
-            ];
+            // a zone begins at the nose or behind the fan
+            let fan = self.pairs.fan().filter(|_| from > 0.0);
+            let first = fan.unwrap_or(self.pairs.foremost());
+            let zone = [(from - reach(from)).max(first), (to + reach(to)).min(1.0)];
             match zones.last_mut().filter(|last| last[1] >= zone[0]) {
                 Some(last) => last[1] = zone[1],
                 None => zones.push(zone),
             }
         }
         self.zones = zones;
+    }
+
+    /// Lets the sides meet over the thickness of the layers ahead of the edge, as the wall across the
+    /// base would be thick: they do not meet in one node.
+    fn close_edge(&mut self) {
+        let thick = self.ends.map(|s| self.stack.total(s));
+        let from = 1.0 - thick[0].max(thick[1]) / self.pairs.scale();
+        let from = from.max(FOREMOST);
+        let mut last = [from, 1.0];
+        let gap = JOINED * self.size / self.pairs.scale();
+        while let Some(one) = self.contacts.pop_if(|one| one[1] >= last[0] - gap) {
+            last[0] = last[0].min(one[0]);
+        }
+        self.contacts.push(last);
     }
 
     fn reach_at(&self, x: f64) -> f64 {

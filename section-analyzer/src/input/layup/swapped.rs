@@ -1,0 +1,40 @@
+//! Layers whose ends are swapped.
+
+use super::Layup;
+use super::problem::{LayupFileProblem, Located};
+use super::resolve::Resolver;
+
+/// Positions along the span at which ends of layers are compared.
+const COMPARED: usize = 20;
+/// Part of the contour by which a layer ends before its start, at least: layers between two others
+/// may have no width.
+const LEAST: f64 = 5e-3;
+
+impl Layup {
+    /// Layers that end before they start at all positions along the span at which they are, with
+    /// their lines.
+    pub(super) fn swapped_layers(&self) -> Vec<Located> {
+        let etas = (0..=COMPARED).map(|i| i as f64 / COMPARED as f64);
+        let resolvers = etas.filter_map(|eta| Some((eta, Resolver::new(self, eta).ok()?)));
+        let resolvers: Vec<(f64, Resolver<'_>)> = resolvers.collect();
+        let mut problems = Vec::new();
+        for layer in &self.layers {
+            let there = resolvers.iter().filter(|(_, resolver)| resolver.has(layer));
+            let arcs = there.filter_map(|(eta, resolver)| {
+                let [from, to] = [&layer.from, &layer.to].map(|place| resolver.place(place));
+                Some((*eta, [from?[0], to?[0]]))
+            });
+            let arcs: Vec<(f64, [f64; 2])> = arcs.collect();
+            let is_swapped = |(_, [from, to]): &(f64, [f64; 2])| from - to > LEAST;
+            if let Some((eta, arcs)) = arcs.first().filter(|_| arcs.iter().all(is_swapped)) {
+                let problem = LayupFileProblem::Swapped {
+                    layer: layer.name.clone(),
+                    eta: *eta,
+                    arcs: *arcs,
+                };
+                problems.push((layer.line, problem));
+            }
+        }
+        problems
+    }
+}
