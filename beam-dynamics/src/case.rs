@@ -1,5 +1,7 @@
 //! A checked problem for the engine: the model and the requested analyses.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::hash::sha256_of;
 
@@ -127,6 +129,27 @@ impl Model {
             Arms::Equal(arms) if turns && self.blades.is_empty() => arms,
             _ => &self.blades,
         }
+    }
+
+    /// Numbers of blades of the rotors with several, each number once: blades of one rotor have the same
+    /// name before their number.
+    pub fn blades_of_rotors(&self) -> Vec<usize> {
+        let stem = |blade: &BladeNodes| {
+            let name = blade
+                .name
+                .trim_end_matches(|letter: char| letter.is_ascii_digit());
+            name.to_owned()
+        };
+        let mut rotors: BTreeMap<String, usize> = BTreeMap::new();
+        for blade in &self.blades {
+            *rotors.entry(stem(blade)).or_default() += 1;
+        }
+        let counts: BTreeSet<usize> = match rotors.len() {
+            // Blades with names of their own are of one rotor.
+            count if count == self.blades.len() => [count].into(),
+            _ => rotors.into_values().collect(),
+        };
+        counts.into_iter().filter(|count| *count > 1).collect()
     }
 
     /// A fingerprint of everything that determines the motion of the model: nodes, elements

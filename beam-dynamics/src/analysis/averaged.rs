@@ -30,12 +30,14 @@ use crate::model::{Conditions, State};
 use crate::result::{AcceptedStep, Recorder};
 
 mod coordinates;
+mod equality;
 mod modes;
 mod support;
 
 pub(super) use modes::{AveragedMode, averaged_modes};
 
 use coordinates::{Coordinates, Factors, NoCoordinates, SlotKind};
+use equality::Equality;
 
 /// Instants of the mean: harmonics up to their number have no mean.
 const INSTANTS: usize = 24;
@@ -78,9 +80,11 @@ pub(super) fn possible(model: &Model) -> Result<(), [String; 2]> {
 }
 
 fn impossible(problem: NoCoordinates) -> [String; 2] {
-    let remedy = "choose by = \"Floquet\", which holds for all rotors";
-    [problem.0.to_owned(), remedy.to_owned()]
+    [problem.0.to_owned(), USE_FLOQUET.to_owned()]
 }
+
+/// Remedy of rotors without averaged equations.
+const USE_FLOQUET: &str = "choose by = \"Floquet\", which holds for all rotors";
 
 /// The averaged equations about the periodic motion that begins with a state; or the reason why there
 /// are none, with a remedy.
@@ -102,6 +106,11 @@ pub(super) fn averaged(
     };
     record(model, settings, state, &mut sum)
         .map_err(|failure| [failure.to_string(), failure.remedy()])?;
+    if let Some(unknown) = sum.mean.equality.different(&coordinates) {
+        let equation = own.system.equation(unknown);
+        let reason = format!("the blades differ, mostly in the {equation}");
+        return Err([reason, USE_FLOQUET.to_owned()]);
+    }
     let tangent = sum.mean.tangent();
     Ok(Averaged {
         model: own,
@@ -169,6 +178,7 @@ struct Mean<'a> {
     sums: BTreeMap<(usize, usize), [Block; 2]>,
     /// Constraints at the first instant, by families or slots.
     references: BTreeMap<(bool, usize), Constraints>,
+    equality: Equality,
     count: usize,
 }
 
@@ -178,6 +188,7 @@ impl<'a> Mean<'a> {
             coordinates,
             sums: BTreeMap::new(),
             references: BTreeMap::new(),
+            equality: Equality::default(),
             count: 0,
         }
     }
@@ -205,6 +216,8 @@ impl<'a> Mean<'a> {
                     None => own,
                 }
             });
+            let slots = [row, column].map(|index| &self.coordinates.slots[index]);
+            self.equality.add(slots, self.coordinates.count(), &block);
             self.spread(factors, (row, column), &block);
         }
     }

@@ -59,12 +59,24 @@ pub(super) fn idle(
     let sharing: Vec<_> = sharing
         .map(|i| format!("\"{}\"", controls[i].name))
         .collect();
+    let small = |norm: f64| norm <= errors * largest.max(LEAST);
     let why = match sharing.as_slice() {
+        _ if small(response.row(target).norm()) => {
+            format!(
+                "no control has an effect on \"{}\"",
+                targets.get(target)?.name
+            )
+        }
         [one] => format!("{one} has no effect on any target"),
-        several => format!(
-            "{} have the same effect on all targets",
-            several.join(" and ")
-        ),
+        several => {
+            let alike = (0..targets.len()).filter(|i| u[(*i, least)].abs() > TAKES_PART);
+            let alike: Vec<_> = alike.map(|i| format!("\"{}\"", targets[i].name)).collect();
+            format!(
+                "{} have the same effect on all targets, or {} respond alike to all controls",
+                several.join(" and "),
+                alike.join(" and ")
+            )
+        }
     };
     Some(format!(
         "the controls do not determine the targets: \"{}\" acts least, and \"{}\" is reached least; {why}",
@@ -120,8 +132,16 @@ mod tests {
             same.contains("\"a\" and \"b\" have the same effect"),
             "{same}"
         );
+        assert!(
+            same.ends_with("or \"p\" and \"q\" respond alike to all controls"),
+            "{same}"
+        );
         let unreached = text(&[1.0, 2.0, 0.0, 0.0]).unwrap();
         assert!(unreached.contains("\"q\" is reached least"), "{unreached}");
+        assert!(
+            unreached.ends_with("no control has an effect on \"q\""),
+            "{unreached}"
+        );
         assert_eq!(text(&[1e-5, 2e-5, 2e-5, 1e-5]), None);
         // Errors of an iteration hide the proportion.
         let noisy = [1.0, 2.0, 3.0, 6.0 + 1e-5];

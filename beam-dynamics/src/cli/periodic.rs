@@ -94,10 +94,10 @@ pub(super) fn write_period(
     } else {
         Vec::new()
     };
-    let blades = input.model.blades.len();
+    let blades = input.model.blades_of_rotors();
     let of_rotor = match settings.revolutions() {
-        Some(revolutions) if blades > 1 && result.is_periodic => {
-            output::rotor_harmonics_text(&input.output.columns, &found, [blades, revolutions])
+        Some(revolutions) if !blades.is_empty() && result.is_periodic => {
+            output::rotor_harmonics_text(&input.output.columns, &found, (&blades, revolutions))
         }
         _ => String::new(),
     };

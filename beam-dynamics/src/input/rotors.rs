@@ -220,6 +220,10 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
         return;
     };
     for rotor in rotors {
+        if let Some(key) = rotor.unsteady {
+            let name = rotor.name.clone();
+            document.note(rotor.line, &RotorProblem::Unsteady { name, key });
+        }
         let turns = rotor.speed.unwrap_or_default() * periodic.period / TAU;
         if (turns - turns.round()).abs() > SAME_SPEED * turns.abs().max(1.0) {
             let problem = RotorProblem::Period {
@@ -264,7 +268,7 @@ fn check_turning(document: &Document, (rotors, hub): (&[PlacedRotor], &Hub), ana
         let is_apart = hub.distance(&rotor.center) > SAME_AXIS * size
             || (rotor.axes.column(2) - rotation.axis).norm() > SAME_AXIS;
         let name = rotor.name.clone();
-        if let Some(key) = rotor.unsteady {
+        if let Some(key) = rotor.unsteady.filter(|_| analyses.periodic.is_none()) {
             let name = name.clone();
             document.note(rotor.line, &RotorProblem::Unsteady { name, key });
         }

@@ -158,6 +158,80 @@ fn rotors_without_multiblade_coordinates_are_refused() {
     );
 }
 
+// A damper or a mass on one blade makes coefficients that are periodic also in hover, whose means are other
+// equations: an inoperative damper may be unstable where they are stable. On all blades it is as before.
+#[test]
+fn blades_that_differ_are_refused() {
+    let card = "[stability]\nby = \"averaged\"\nparameter = \"p\"\nvalues = [1.6e6, 2e6]\n\
+                boundaries = false\ncount = 10\n";
+    let damper = |blade: usize| {
+        format!(
+            "[[spring]]\nname = \"d{blade}\"\nnodes = [\"r/hub\", \"r {blade}/lag\"]\n\
+             rotational_damping = [0, 0, 40]\n"
+        )
+    };
+    let mass =
+        "[[body]]\nname = \"tip\"\nnode = \"r 2/tip\"\nmass = 0.2\ninertia = [1e-4, 1e-4, 1e-4]\n";
+    let all = [1, 2, 3].map(damper).concat();
+    for (more, is_equal) in [(damper(2), false), (mass.to_owned(), false), (all, true)] {
+        let result = attempt(&format!("{}{more}{card}", on_a_mast(24.0)));
+        assert_eq!(
+            result.failures.is_empty(),
+            is_equal,
+            "{more} {:?}",
+            result.failures
+        );
+        for (_, [reason, remedy]) in &result.failures {
+            assert!(
+                reason.starts_with("the blades differ, mostly in"),
+                "{reason}"
+            );
+            assert!(remedy.contains("by = \"Floquet\""), "{remedy}");
+        }
+    }
+}
+
+// Blades of two rotors have no common multiblade coordinates.
+#[test]
+fn several_rotors_are_refused() {
+    let card = "[stability]\nby = \"averaged\"\nparameter = \"p\"\nvalues = [1.6e6, 2e6]\n";
+    let other = "[[rotor]]\nname = \"s\"\nhub = \"rigid\"\nblades = 3\nspeed = 24\ncenter = [9, 0, 0]\n\
+                 axis = [0, 1, 0]\n[rotor.blade]\nhub_radius = 0.4\nproperties = \"spar\"\n\
+                 piece = [{ length = 1, elements = 1 }]\n";
+    let result = attempt(&format!("{}{other}{card}", on_a_mast(24.0)));
+    assert_eq!(result.failures.len(), 2, "{:?}", result.failures);
+    let [reason, _] = &result.failures[0].1;
+    assert!(
+        reason.contains("not at equal angles around one axis"),
+        "{reason}"
+    );
+}
+
+// Stiff blades with dampers between them: infinite values of constraints become ones near the shift by
+// round-off, which no vector confirms and which took the places of lag and the mast. All multipliers are
+// among the averaged roots, to the error of the multipliers with 32 steps.
+#[test]
+fn values_without_a_vector_take_no_places() {
+    const SPEED: f64 = 30.4;
+    let model = on_a_mast(SPEED)
+        .replace("ea = 7e8\ngay = 2e8\ngaz = 2e8\ngj = 3e6\neiy = 2e6\n", "ea = 7e9\ngay = 2e9\ngaz = 2e9\ngj = 9e7\neiy = 4e7\n")
+        .replace("eiz = 2e6", "eiz = 2e8")
+        .replace("mass = 3200", "mass = 900")
+        .replace("[1.1e6, \"= p\", 0]", "[4e5, \"= p\", 0]")
+        .replace("steps = 24", "steps = 32")
+        .replace(
+            "[rotor.blade]\n",
+            "[rotor.lag_damper]\nbetween = \"blades\"\nblade = [0.7, 0.1, 0]\nnext = [0.7, -0.05, 0]\n\
+             damping = 30\n[rotor.blade]\n",
+        );
+    let averaged = exponents(&model, "averaged", "[8e5]", 20);
+    let multipliers = exponents(&model, "Floquet", "[8e5]", 8);
+    for root in &multipliers[0] {
+        let off = nearest(*root, &averaged[0], SPEED);
+        assert!(off < 1e-4, "{root} {off:e}\n{:#?}", averaged[0]);
+    }
+}
+
 /// The linear model of the rotor on a mast, by averaged coefficients.
 fn linear_on_a_mast(speed: f64) -> LinearModel {
     let cards = format!(

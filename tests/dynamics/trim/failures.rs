@@ -28,6 +28,27 @@ const METHODS: [&str; 3] = [
     "[trim]\nmethod = \"equilibrium\"\n",
 ];
 
+// Targets that are met without determining the controls: one that no control changes and that has its value
+// already, and one that is asked for twice.
+#[test]
+fn targets_that_are_met_by_any_control_are_refused() {
+    for method in METHODS {
+        let still = plate("a + b", "0*a", method).replace("value = 0.5", "value = 0");
+        let [reason_of_still, _] = reason(&still);
+        assert!(
+            reason_of_still.ends_with("no control has an effect on \"ahead\""),
+            "{method}: {reason_of_still}"
+        );
+        let twice = plate("a + b", "b", method)
+            .replace("signal = \"y\"\nvalue = 0.5", "signal = \"x\"\nvalue = 0.3");
+        let [reason_of_twice, _] = reason(&twice);
+        assert!(
+            reason_of_twice.contains("\"to the right\" and \"ahead\" respond alike"),
+            "{method}: {reason_of_twice}"
+        );
+    }
+}
+
 // All methods: a control without effect, two controls with the same effect, a target that no control
 // reaches, and a bound, which is 40 of the 25 and 50 that are needed.
 #[test]

@@ -25,6 +25,8 @@ use shared_geom::rotation::vector;
 use crate::case::{BladeNodes, Model};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
 
+/// Difference of the rotations between successive blades, beyond which they are not equal \[-\].
+const EQUAL: f64 = 1e-6;
 /// Distance of the numbers of slots of elements of one name: more than an element has.
 const SAME_NAME: usize = 1 << 20;
 
@@ -98,6 +100,17 @@ impl Coordinates {
         let turn = step.map(|(a, b)| vector::from_rotation(&(b * a.transpose())));
         if turn.is_none_or(|turn| turn.norm() == 0.0) {
             return Err(NoCoordinates("the blades are not around an axis"));
+        }
+        let pairs = blades.iter().zip(blades.iter().cycle().skip(1));
+        let turns = pairs.map(|(a, b)| b * a.transpose());
+        let differs = |other: Matrix3<f64>| {
+            let turn = turn.map(|turn| vector::to_rotation(&turn));
+            turn.is_none_or(|turn| (other - turn).amax() > EQUAL)
+        };
+        if turns.into_iter().any(differs) {
+            return Err(NoCoordinates(
+                "the blades are not at equal angles around one axis, as the ones of several rotors",
+            ));
         }
         let mut coordinates = Self {
             slots: Vec::new(),

@@ -10,7 +10,8 @@ use nalgebra::Complex;
 
 use super::coordinates::Coordinates;
 use super::support::support;
-use super::{Averaged, averaged};
+use super::{Averaged, USE_FLOQUET, averaged};
+use crate::analysis::fewer_modes::why_no_more;
 use crate::assembly::MasslessMotions;
 use crate::case::{Model, PeriodicSettings, Words};
 use crate::model::{NODE_UNKNOWNS, NamingAxes, State};
@@ -80,15 +81,23 @@ pub(in crate::analysis) fn averaged_modes(
         speed: settings.speed.unwrap_or(0.0).abs(),
         words,
     };
-    Ok(searched(&problem, wanted, &seen))
+    searched(&problem, wanted, &seen)
 }
 
-/// The lowest modes, with at least `wanted` oscillations if there are so many.
-fn searched(problem: &EigenProblem<'_>, wanted: usize, seen: &Seen<'_>) -> AveragedModes {
+/// The lowest modes, with at least `wanted` oscillations if there are so many. Values that no vector confirms
+/// are round-off of the infinite ones of constraints, and take places of others.
+///
+/// # Errors
+/// Too few oscillations among the values that are confirmed, and others that are not; with a remedy.
+fn searched(
+    problem: &EigenProblem<'_>,
+    wanted: usize,
+    seen: &Seen<'_>,
+) -> Result<AveragedModes, [String; 2]> {
     let mut requested = wanted;
     loop {
         let lowest = problem.lowest(requested);
-        let is_end = lowest.pairs.len() < requested;
+        let is_end = lowest.pairs.len() < requested && lowest.unconfirmed == 0;
         let pairs = lowest.pairs.iter();
         let mut modes: Vec<_> = pairs.map(|pair| seen.mode(pair)).collect();
         let found = modes.iter().filter(|mode| mode.oscillates).count();
@@ -99,7 +108,14 @@ fn searched(problem: &EigenProblem<'_>, wanted: usize, seen: &Seen<'_>) -> Avera
             modes.extend(real.map(|pair| seen.mode(&pair)));
             let is_all = is_end && lowest.is_all;
             let complete_to = (!is_all).then_some(last);
-            return AveragedModes { modes, complete_to };
+            if found < wanted && lowest.unconfirmed > 0 {
+                let reason = format!(
+                    "only {found} of {wanted} oscillations are confirmed: {}",
+                    why_no_more(&lowest)
+                );
+                return Err([reason, USE_FLOQUET.to_owned()]);
+            }
+            return Ok(AveragedModes { modes, complete_to });
         }
         requested *= 2;
     }

@@ -18,6 +18,8 @@ const LEAST: usize = 5;
 /// Largest relative difference of the frequency of the extremes from the one of the largest mode: beyond it
 /// the extremes belong to several motions \[-\].
 const OTHER: f64 = 0.05;
+/// Largest scatter of the logarithms about their line: beyond it several oscillations take turns \[-\].
+const ALONE: f64 = 1.0;
 
 /// The mode of the extremes; `None` if they do not belong to one oscillation of about the frequency
 /// given \[rad/s\].
@@ -43,7 +45,7 @@ pub(super) fn mode(record: &Record, frequency: f64) -> Option<IdentifiedMode> {
     of_logarithm(
         IdentificationMethod::Decrement,
         found,
-        line::through(&changes)?,
+        line::through(&changes).filter(|line| line.scatter < ALONE)?,
     )
 }
 

@@ -14,6 +14,7 @@ use super::passes::Passes;
 use super::shooting::{Orbit, Shooting};
 use crate::case::PeriodicSettings;
 use crate::model::State;
+use crate::result::PeriodicPass;
 
 /// First h.
 const FIRST: f64 = 0.25;
@@ -74,11 +75,19 @@ pub(super) fn approach(
         }
     }
     state.copy_from(&met.state);
+    let reached = shooting.border.reached(&met.end);
+    // The last pass is of this motion, whose controls and means are reported.
+    let errors = shooting.border.errors(&reached).into_iter();
+    passes.push(PeriodicPass {
+        residual: errors.fold(0.0, |largest, error| error.abs().max(largest)),
+        worst: "targets of the last motion that was found".to_owned(),
+        products: 0,
+        part: 0.0,
+        reached: reached.clone(),
+    });
     Err(PeriodicFailure::Limited {
         first: Box::new(first),
-        reached: shooting
-            .border
-            .differences(&shooting.border.reached(&met.end), NOT_MET),
+        reached: shooting.border.differences(&reached, NOT_MET),
         controls: shooting.border.written(&met.state),
         stall: String::new(),
     })

@@ -186,6 +186,11 @@ impl Border {
         self.of_targets.get(pair)
     }
 
+    /// The rows of the targets; none if the controls are held.
+    pub fn target_rows(&self) -> &[usize] {
+        if self.is_held { &[] } else { &self.controls }
+    }
+
     /// Shortens a correction `d` of a state so that no control changes by more than its step or leaves
     /// its bounds; returns the control, with its bound, that is at the bound and would leave it.
     pub fn limit(&self, d: &mut [f64], state: &State) -> Option<(&TrimControl, f64)> {

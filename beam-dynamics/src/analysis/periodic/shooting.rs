@@ -143,6 +143,7 @@ impl Shooting<'_> {
                 reached: self.border.reached(&end),
             });
             if part <= self.settings.tolerance {
+                self.check_determined(&map, &rows)?;
                 let state = state.clone();
                 return Ok(Orbit { state, end, map });
             }
@@ -287,6 +288,27 @@ impl Shooting<'_> {
             Some(reason) => Err(PeriodicFailure::Singular { reason }),
             None => Ok(()),
         }
+    }
+
+    /// Checks that the controls of a motion that has its targets determine them: targets that depend on each
+    /// other are met by any of many controls. Any other targets are reached by a correction if they do.
+    fn check_determined(&self, map: &PeriodMap, rows: &[f64]) -> Result<(), PeriodicFailure> {
+        let mut other = vec![0.0; rows.len()];
+        let targets = self.border.target_rows();
+        for (number, row) in targets.iter().enumerate() {
+            // Values without a pattern.
+            other[*row] = rows[*row] * (1.0 + 0.618 * number as f64).sin();
+        }
+        if targets.is_empty() {
+            return Ok(());
+        }
+        let found = self.correction(map, &other, rows);
+        if found.is_some_and(|found| found.residual < SINGULAR) {
+            return Ok(());
+        }
+        let response = self.response(map);
+        let idle = response.and_then(|found| self.border.idle(&found, effects::BY_PRODUCTS));
+        idle.map_or(Ok(()), |reason| Err(PeriodicFailure::Singular { reason }))
     }
 
     /// The change of the means in the periodic motion by each control of unit size.

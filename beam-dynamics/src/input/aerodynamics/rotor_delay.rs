@@ -111,7 +111,7 @@ mod tests {
             (
                 naca,
                 "law = \"Sneel\"",
-                "delay.dynamics.toml:20: \"law\" is \"Sneel\"",
+                "delay.dynamics.toml:21: \"law\" is \"Sneel\"",
             ),
             (
                 naca,

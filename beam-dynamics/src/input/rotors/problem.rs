@@ -210,7 +210,7 @@ pub enum RotorProblem {
         degrees: f64,
     },
     /// A pitch that no position of the plate gives.
-    #[error("no position of the plate gives the pitch: {} m from the nearest", short_number(*.off, 3))]
+    #[error("no position of the plate gives the pitch{}", from_nearest(*.off))]
     Unreachable {
         /// Remaining error of the iteration, as a height at the horn \[m\].
         off: f64,
@@ -293,7 +293,9 @@ pub enum RotorProblem {
         control: String,
     },
     /// A drive without a state of steady rotation.
-    #[error("rotor \"{name}\" has \"{key}\", which has no state of steady rotation")]
+    #[error(
+        "rotor \"{name}\" has \"{key}\", which has no state of steady rotation: the azimuth may have any value"
+    )]
     Unsteady {
         /// Name of the rotor.
         name: String,
@@ -351,6 +353,15 @@ pub enum RotorProblem {
         /// The point from the center of the hub \[m\].
         point: [f64; 3],
     },
+}
+
+/// The distance of a pitch from the nearest one that a plate gives \[m\], if there is one.
+fn from_nearest(off: f64) -> String {
+    if off.is_finite() {
+        format!(": {} m from the nearest", short_number(off, 3))
+    } else {
+        ", and none is near".to_owned()
+    }
 }
 
 impl Explain for RotorProblem {

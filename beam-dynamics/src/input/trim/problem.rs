@@ -62,6 +62,14 @@ pub enum TrimProblem {
         /// Its number.
         harmonic: usize,
     },
+    /// A harmonic that the steps do not resolve.
+    #[error("harmonic {harmonic} needs more than {} steps a period, and [periodic] has {steps}", 2 * harmonic)]
+    Aliased {
+        /// Its number.
+        harmonic: usize,
+        /// Steps of a period.
+        steps: usize,
+    },
     /// A cosine or sine of the mean.
     #[error("\"part\" without \"harmonic\": the target is the mean, which has no parts")]
     PartOfMean,
@@ -105,6 +113,9 @@ impl Explain for TrimProblem {
             Self::Bounds { .. } => "write lower < upper, and a guess between them",
             Self::GuessOfParameter { .. } => "change the parameter",
             Self::Harmonic { .. } => "use the mean, or method = \"shooting\"",
+            Self::Aliased { .. } => {
+                "give [periodic] several \"steps\" for each wave, or a lower harmonic"
+            }
             Self::PartOfMean => "add harmonic = 1, once in a period, or remove \"part\"",
             Self::Unused { .. } => {
                 "use it, as in sine = \"= sine*deg\" of [rotor.swashplate], or remove it with its \

@@ -95,6 +95,11 @@ fn wave(card: &Table<'_>, (method, periodic): Context<'_>) -> Option<Option<Wave
         return None;
     }
     let periodic = periodic?;
+    let steps = periodic.steps;
+    if 2 * harmonic >= steps {
+        card.note(&HARMONIC, &TrimProblem::Aliased { harmonic, steps });
+        return None;
+    }
     let fundamental = periodic.speed.map_or(TAU / periodic.period, f64::abs);
     Some(Some(Wave {
         frequency: harmonic as f64 * fundamental,

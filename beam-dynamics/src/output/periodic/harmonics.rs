@@ -13,10 +13,14 @@ const DIGITS: usize = 5;
 pub fn rotor_harmonics_text(
     columns: &[Column],
     found: &[Harmonics],
-    [blades, revolutions]: [usize; 2],
+    (blades, revolutions): (&[usize], usize),
 ) -> String {
     let most = found.iter().map(|own| own.parts.len()).max().unwrap_or(0);
-    let mut orders = vec![1, blades, 2 * blades];
+    let mut orders: Vec<_> = blades
+        .iter()
+        .flat_map(|count| [1, *count, 2 * count])
+        .collect();
+    orders.sort_unstable();
     orders.dedup();
     orders.retain(|order| order * revolutions <= most);
     if columns.is_empty() || orders.is_empty() {
@@ -80,11 +84,11 @@ mod tests {
         };
         let columns = [column];
         let found = [found];
-        let text = rotor_harmonics_text(&columns, &found, [2, 1]);
+        let text = rotor_harmonics_text(&columns, &found, (&[2], 1));
         let last = text.lines().last().unwrap();
         let words: Vec<_> = last.split_whitespace().collect();
         assert_eq!(words, ["lift", "[N]", "7", "5", "53.13", "2", "-90.00"]);
-        assert!(!rotor_harmonics_text(&columns, &found, [3, 1]).contains("3/rev"));
-        assert_eq!(rotor_harmonics_text(&columns, &found, [3, 3]), "");
+        assert!(!rotor_harmonics_text(&columns, &found, (&[3], 1)).contains("3/rev"));
+        assert_eq!(rotor_harmonics_text(&columns, &found, (&[3], 3)), "");
     }
 }

@@ -165,8 +165,25 @@ fn wrong_drives_are_explained() {
     }
     let keys = "speed = 60\n[rotor.drive]\ninertia = 1\ngovernor = { proportional = 1 }\n";
     let shown = refused(&text("rigid", keys, "[modes]\nspeeds = [60]\n"));
-    let expected = "rotor \"r\" has \"governor\", which has no state of steady rotation\n  help: remove it, so \
+    let expected = "rotor \"r\" has \"governor\", which has no state of steady rotation: the azimuth may have any value\n  help: remove it, so \
                     that the engine has the constant \"speed\" of the rotor, or compute the motion in time \
                     from start = \"given\"";
     assert!(shown.ends_with(expected), "{shown}");
+    for card in [
+        "governor = { proportional = 1 }",
+        "stiffness = 1e5\nfree_wheel = true",
+    ] {
+        let inertia = if card.starts_with('g') {
+            "inertia = 1\n"
+        } else {
+            ""
+        };
+        let keys = format!("speed = 60\n[rotor.drive]\n{inertia}{card}\n");
+        let periodic = "[periodic]\nspeed = 60\nsteps = 24\n";
+        let shown = refused(&text("rigid", &keys, periodic));
+        assert!(
+            shown.contains("which has no state of steady rotation"),
+            "{shown}"
+        );
+    }
 }
