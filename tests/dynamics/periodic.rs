@@ -8,6 +8,7 @@ use nalgebra::{Complex, DMatrix};
 mod far_start;
 mod linear;
 pub mod mathieu;
+mod orbit;
 pub mod rotor;
 mod shafts;
 mod trim;

@@ -16,9 +16,9 @@ use crate::trim::{numbers, reference};
 /// Masses of the blades, their lag dampers, and their lag springs [kg, N m s, N m].
 #[derive(Clone, Copy)]
 pub struct Blades {
-    masses: [f64; 3],
-    dampers: [f64; 3],
-    springs: [f64; 3],
+    pub masses: [f64; 3],
+    pub dampers: [f64; 3],
+    pub springs: [f64; 3],
 }
 
 pub const EQUAL: Blades = Blades {
@@ -75,7 +75,7 @@ pub fn rotor([kx, ky, cx, cy]: [f64; 4], blades: &Blades, angle: &str, speed: &s
     text
 }
 
-fn turning(support: [f64; 4], blades: &Blades, speed: f64, settings: &str) -> String {
+pub fn turning(support: [f64; 4], blades: &Blades, speed: f64, settings: &str) -> String {
     let text = rotor(
         support,
         blades,

@@ -126,7 +126,7 @@ impl Plate {
                     Content::quantity(actuators.length(azimuth, *position), "m")
                 }
                 Motion::Linear(sums) => {
-                    let length = linear_length(base, actuators, azimuth, &texts(pitch, sums)?);
+                    let length = length_text(base, actuators, azimuth, &texts(pitch, sums)?);
                     Content::from(length).on_line(sums[0].line())
                 }
             };
@@ -205,12 +205,16 @@ fn texts(pitch: &Pitch, sums: &[Sum; 3]) -> Result<[String; 3], Located> {
     Err((line, RotorProblem::NotWritten { key }))
 }
 
-/// The length of an actuator over the linear motion of the plate:
+/// The length of an actuator over the motion of the plate, with the normal n of the plate and scissors in the
+/// plane of azimuth zero, as [`Actuators::length`]:
 ///
 /// ```text
-/// L = sqrt((r_s - r_b)^2 + (z_b + h + r_s (a_x sin psi - a_y cos psi))^2)
+/// n = ( s a_y, -s a_x, cos a ) ,     s = sin a / a ,     a = |(a_x, a_y)| ,     d^2 = 1 - n_y^2
+/// p_z = -r_s/d ( n_x cos psi + n_y n_z sin psi )
+/// p_r = r_s ( ( n_z cos psi - n_x n_y sin psi ) cos psi / d + d sin^2 psi )
+/// L^2 = r_s^2 + r_b^2 + H^2 + 2 H p_z - 2 r_b p_r ,     H = z_b + h
 /// ```
-fn linear_length(
+fn length_text(
     base: &Base,
     actuators: &Actuators,
     azimuth: f64,
@@ -218,9 +222,36 @@ fn linear_length(
 ) -> String {
     let units = &base.units;
     let (sin, cos) = azimuth.sin_cos();
-    let tilt = actuators.radius * units.angle / units.length;
-    let [x, y] = [tilt * sin, -tilt * cos].map(signed);
-    let foot = actuators.base_below / units.length;
-    let across = (actuators.radius - actuators.base_radius) / units.length;
-    format!("= hypot({across}, {foot} + ({height}) + {x}*({about_x}) + {y}*({about_y}))")
+    let [rim, foot, below] = [
+        actuators.radius,
+        actuators.base_radius,
+        actuators.base_below,
+    ]
+    .map(|length| length / units.length);
+    let [x, y] = [about_x, about_y].map(|angle| format!("{}*({angle})", signed(units.angle)));
+    // Beside zero, where the sine over the angle is one.
+    let angle = format!("sqrt(({x})^2 + ({y})^2 + 1e-30)");
+    let [n_x, n_y] =
+        [(&y, ""), (&x, "-")].map(|(own, sign)| format!("({sign}sin({angle})/{angle}*{own})"));
+    let n_z = format!("cos({angle})");
+    let d = format!("sqrt(1 - {n_y}^2)");
+    let above = format!("({below} + {height})");
+    let rise = format!(
+        "{}/{d}*({}*{n_x} + {}*{n_y}*{n_z})",
+        signed(-rim),
+        signed(cos),
+        signed(sin)
+    );
+    let along = format!(
+        "{rim}*(({}*{n_z} - {}*{n_x}*{n_y})*{}/{d} + {}*{d})",
+        signed(cos),
+        signed(sin),
+        signed(cos),
+        sin * sin
+    );
+    let ends = rim * rim + foot * foot;
+    format!(
+        "= sqrt({ends} + {above}^2 + 2*{above}*{rise} - {}*({along}))",
+        2.0 * foot
+    )
 }

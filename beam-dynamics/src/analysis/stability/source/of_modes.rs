@@ -46,8 +46,12 @@ impl Source<'_> {
             [failure.to_string(), remedy.to_owned()]
         })?;
         let lowest = problem.lowest(count + copies(&input.model) - 1);
-        let real = lowest.real.iter().map(|value| problem.real_pair(*value));
-        let real = real.collect();
+        let of_real = |value: &f64| Eigenpair {
+            growth: *value,
+            angular_frequency: 0.0,
+            ..problem.real_pair(*value)
+        };
+        let real = lowest.real.iter().map(of_real).collect();
         self.branches
             .add(at, Found::new(lowest.pairs, real, lowest.unconfirmed));
         Ok(())

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Run, read, reference, text};
 use crate::analysis::statics::statics;
-use crate::input::rotors::distributor::Links;
+use crate::input::rotors::distributor::{Actuators, Links};
 
 /// Speed of the rotors [rad/s]: 300 rpm.
 const OMEGA: f64 = 10.0 * PI;
@@ -171,32 +171,50 @@ fn actuators_hold_the_plate_where_it_is_prescribed() {
     }
 }
 
-// The lengths from the bases to the rim of a prescribed plate while the controls change, in time and with all
-// links, against the height and the tilt by the kinematics of the links: 1e-6 m as accepted.
+// A prescribed plate, and one on three actuators, while the controls change, in time and with all links: the
+// lengths from the bases to the rim, the height and the normal are the ones by the kinematics of the links, to
+// 1e-9 of 1e-6 m as accepted. The tilt grows to 4 deg.
 #[test]
 fn a_plate_has_its_lengths_while_controls_change() {
     let links = links();
-    let keys = format!(
-        "speed = 300\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\n\
-         cosine = \"= 200*t^2\"\nsine = \"= -400*t^2\"\n\
-         [rotor.swashplate.plate]\nbelow = 0.15\nhorn = {:?}\n",
-        links.horn
-    );
-    let rest = "[transient]\nto = 0.1\nstep = 2e-3\nnewton.tolerance = 1e-12\n";
-    let run = Run::new(&text("rigid", &keys, rest));
-    for (time, [plate]) in run.motions(["r/plate"]) {
-        let controls = [800.0_f64, 200.0, -400.0].map(|rate| (rate * time * time).to_radians());
-        let position = links.linear() * Vector3::from(controls);
-        let turn = vector::to_rotation(&Vector3::new(position.y, position.z, 0.0));
-        let center = Vector3::z() * (position.x - 0.15);
-        for azimuth in [90.0_f64, 210.0, 330.0] {
-            let (sin, cos) = azimuth.to_radians().sin_cos();
-            let rim = Vector3::new(0.2 * cos, 0.2 * sin, 0.0);
-            let base = rim - Vector3::z() * 0.45;
-            let found = (plate.position + plate.rotation * rim - base).norm();
-            let expected = (center + turn * rim - base).norm();
-            let off = (found - expected).abs();
-            assert!(off < 1e-6, "{time} {azimuth}: {off:e}");
+    let actuators = Actuators {
+        radius: 0.2,
+        base_radius: 0.22,
+        base_below: 0.3,
+        azimuths: Vec::new(),
+    };
+    for kind in [
+        "",
+        "actuators = { radius = 0.2, base_radius = 0.22, base_below = 0.3 }\n",
+    ] {
+        let keys = format!(
+            "speed = 300\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\n\
+             cosine = \"= 200*t^2\"\nsine = \"= -400*t^2\"\n\
+             [rotor.swashplate.plate]\nbelow = 0.15\nhorn = {:?}\n{kind}",
+            links.horn
+        );
+        let rest = "[transient]\nto = 0.1\nstep = 2e-3\nnewton.tolerance = 1e-12\n";
+        let run = Run::new(&text("rigid", &keys, rest));
+        for (time, [plate]) in run.motions(["r/plate"]) {
+            let controls = [800.0_f64, 200.0, -400.0].map(|rate| (rate * time * time).to_radians());
+            let position = links.linear() * Vector3::from(controls);
+            let turn = vector::to_rotation(&Vector3::new(position.y, position.z, 0.0));
+            let height = plate.position.z + 0.15 - position.x;
+            let normal = plate.rotation.column(2) - turn.column(2);
+            assert!(height.abs() < 1e-9, "{kind} {time}: {height:e}");
+            assert!(normal.amax() < 1e-9, "{kind} {time}: {normal}");
+            for azimuth in [90.0_f64, 210.0, 330.0] {
+                let [rim, base] = actuators.ends(azimuth.to_radians());
+                // The prescribed plate has the rotation vector of the tilt, the other one scissors.
+                let expected = match kind {
+                    "" => (Vector3::z() * position.x + turn * rim - base).norm(),
+                    _ => actuators.length(azimuth.to_radians(), position.into()),
+                };
+                let arm = plate.position + Vector3::z() * 0.15;
+                let found = (arm + plate.rotation * rim - base).norm();
+                let off = (found - expected).abs();
+                assert!(off < 1e-9, "{kind} {time} {azimuth}: {off:e}");
+            }
         }
     }
 }
