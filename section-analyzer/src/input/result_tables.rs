@@ -32,7 +32,7 @@ pub struct ListedReserve {
 }
 
 /// The columns of the table of reserve factors `NAME.strength.csv`.
-pub const RESERVES: [&str; 23] = [
+pub const RESERVES: [&str; 24] = [
     "eta [-]",
     "section",
     "ply",
@@ -56,6 +56,7 @@ pub const RESERVES: [&str; 23] = [
     "stress_23 [Pa]",
     "stress_13 [Pa]",
     "stress_12 [Pa]",
+    "reserve_factor_of_cell [-]",
 ];
 
 /// The modes of a blade, as `beam-dynamics modes` lists them.

@@ -60,6 +60,7 @@ pub fn strength_csv(rows: &[ReserveRow]) -> String {
         let numbers = row.found.position.iter().chain(&row.force);
         let numbers = numbers.chain(&row.found.stress);
         cells.extend(numbers.map(|value| format!("{value:e}")));
+        cells.push(format!("{:e}", row.found.of_cell));
         cells
     });
     csv(std::iter::once(heading).chain(cells))
@@ -130,5 +131,34 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
             row.found.worst.mode.name(),
         );
     }
-    text
+    text + &of_cells(&stations)
+}
+
+/// Part by which the reserve factor of a point may be below that of the mean stress of its cell
+/// without a remark.
+const VARIES: f64 = 0.1;
+
+/// The stations whose smallest reserve factor depends on the size of the cells, as text; empty if there
+/// are none.
+fn of_cells(stations: &[&ReserveRow]) -> String {
+    let factors = |row: &ReserveRow| (row.found.worst.reserve_factor, row.found.of_cell);
+    let varies = |row: &&&ReserveRow| {
+        let (point, cell) = factors(row);
+        point < (1.0 - VARIES) * cell
+    };
+    let station = |row: &&ReserveRow| {
+        let (point, cell) = factors(row);
+        format!("{} ({point:.3}, {cell:.3})", row.station.label())
+    };
+    let found: Vec<String> = stations.iter().filter(varies).map(station).collect();
+    if found.is_empty() {
+        return String::new();
+    }
+    format!(
+        "\nNot converged with the mesh: the reserve factor is more than {} % below that of the mean stress \
+         of the cell (both in brackets); solve with smaller cells, \"size\" in [mesh], and compare: eta \
+         {}\n",
+        100.0 * VARIES,
+        found.join(", ")
+    )
 }

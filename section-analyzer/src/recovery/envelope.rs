@@ -36,6 +36,9 @@ pub struct RegionReserve {
     pub position: [f64; 2],
     /// Stress under this force in material axes, order 11 22 33 23 13 12 \[Pa\].
     pub stress: Vector6<f64>,
+    /// Reserve factor of the mean stress and strain of its cell under this force: an estimate of the
+    /// dependence on the size of the cells \[-\].
+    pub of_cell: f64,
 }
 
 /// The smallest reserve factor of each region whose material has limits, over all integration
@@ -64,11 +67,19 @@ pub fn region_reserves(
             tag: cell.tag,
             position: point.position,
             stress: point.material_stress * forces[force],
+            of_cell: f64::INFINITY,
         };
         match known {
             Some(at) => worst[at] = here,
             None => worst.push(here),
         }
+    }
+    for region in &mut worst {
+        let is_of_cell = |point: &&UnitPoint| section.mesh.cells[point.cell].tag == region.tag;
+        let of_cell: Vec<UnitPoint> = points.iter().filter(is_of_cell).copied().collect();
+        let mean = UnitPoint::mean(&of_cell).map(|mean| mean.under(&forces[region.force]));
+        let found = mean.and_then(|mean| worst_index(&limits[region.material], &mean));
+        region.of_cell = found.map_or(f64::INFINITY, |found| found.reserve_factor);
     }
     worst.sort_by_key(|region| region.group);
     worst
@@ -179,6 +190,13 @@ mod tests {
         let exact = 350e6 * 0.02 / 3e5;
         assert!((found[0].worst.reserve_factor / exact - 1.0).abs() < 1e-10);
         assert!((found[0].stress[0] / 1.5e7 + 1.0).abs() < 1.0);
+        assert!((found[0].of_cell / exact - 1.0).abs() < 1e-10);
+        // under bending, stress is linear over the two cells of 50 mm: the outermost of three Gauss
+        // points is at 25 + 25 sqrt(3/5) mm, the mean at 25 mm
+        let bending = [Vector6::ith(4, 1e4)];
+        let found = region_reserves(&section, &limits, &points, &bending);
+        let ratio = found[0].of_cell / found[0].worst.reserve_factor;
+        assert!((ratio - (1.0 + 0.6_f64.sqrt())).abs() < 1e-6, "{ratio}");
         let none = [MaterialLimits::default()];
         assert_eq!(region_reserves(&section, &none, &points, &forces), []);
     }

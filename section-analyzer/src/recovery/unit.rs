@@ -49,6 +49,21 @@ impl UnitPoint {
         }
     }
 
+    /// The mean of several points; `None` without any.
+    pub(super) fn mean(points: &[Self]) -> Option<Self> {
+        let first = points.first()?;
+        let mean = |of: fn(&Self) -> Matrix6<f64>| {
+            points.iter().map(of).sum::<Matrix6<f64>>() / points.len() as f64
+        };
+        Some(Self {
+            strain: mean(|point| point.strain),
+            stress: mean(|point| point.stress),
+            material_strain: mean(|point| point.material_strain),
+            material_stress: mean(|point| point.material_stress),
+            ..*first
+        })
+    }
+
     /// Strain and stress under the internal force `theta` about the reference point \[N, N m\].
     pub fn under(&self, theta: &Vector6<f64>) -> Tensors {
         Tensors {

@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::effort;
 use crate::strength::STRENGTHS;
 use crate::unpacked::unpacked;
-use crate::whole_blade::LAYUP;
+use crate::whole_blade::{LAYUP, failing};
 use crate::workplace::{Run, Workplace};
 
 /// Largest size of a report of 30 stations \[bytes\].
@@ -331,9 +331,7 @@ fn tables_of_other_commands_are_read_or_refused() {
 #[test]
 fn remarks_name_sections_that_are_missing() {
     let workplace = reported(&["--stations", "0.2,0.7"]);
-    let thick = workplace
-        .read("a.layup.toml")
-        .replace("value = [0, 2]", "value = [0, 90]");
+    let thick = failing(&workplace.read("a.layup.toml"));
     workplace.write("a.layup.toml", &thick);
     let run = blade(&workplace, &["--stations", "0.2,0.7"]);
     assert_eq!(run.code, 1);

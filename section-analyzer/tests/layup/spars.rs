@@ -116,7 +116,7 @@ const WRONG: &[(&str, &str, &str)] = &[
         "thickness = 0.002\nfrom = \"rear.suction\"",
         "thickness = 0.001\nfrom = \"rear.suction\"",
         "error: a.layup.toml:33: eta 0: the layers along web \"rear\" are 0.004, 0.002 thick, those \
-         inside of the spar at its suction end 0.004, 0.001, expected the same\n  help: a layer inside \
+         inside of the spar at its suction end 0.004, 0.001, expected the same; lengths in m\n  help: a layer inside \
          of the spar that is not along the web needs one of its thickness along the web, which may be \
          elsewhere on the surfaces",
     ),

@@ -57,12 +57,21 @@ impl Alike {
         })
     }
 
-    /// The sections of the texts that are not the first of their kind.
+    /// All sections of the texts that are not the first of their kind.
     pub fn others(&self) -> impl Iterator<Item = String> {
-        let others = self.0.iter().filter(|kind| !kind.similar.is_empty());
-        others.map(|kind| {
+        self.0.iter().filter_map(|kind| {
             let first = first_line(&kind.text);
-            format!("{}: with other numbers, {first}", shown(&kind.similar))
+            let others: Vec<&str> = kind.same[1..]
+                .iter()
+                .chain(&kind.similar)
+                .map(String::as_str)
+                .collect();
+            let how = match &kind.similar[..] {
+                [] => "as",
+                _ => "with other numbers,",
+            };
+            let all = others.join(", ");
+            (!others.is_empty()).then(|| format!("{all}: {how} {first}"))
         })
     }
 }
@@ -116,7 +125,7 @@ mod tests {
         let others: Vec<_> = all.others().collect();
         assert_eq!(
             others,
-            ["eta 0.2: with other numbers, web1: 3 of 9 cells, (aspect 113)"]
+            ["eta 0.1, eta 0.2: with other numbers, web1: 3 of 9 cells, (aspect 113)"]
         );
         for i in 0..9 {
             all.add("web3", &i.to_string());
@@ -126,5 +135,8 @@ mod tests {
             last.as_deref(),
             Some("0, 1, 2, 3, 4, 5, 6 and 2 more: web3")
         );
+        // those that have no result are all listed
+        let last = all.others().last();
+        assert_eq!(last.as_deref(), Some("1, 2, 3, 4, 5, 6, 7, 8: as web3"));
     }
 }

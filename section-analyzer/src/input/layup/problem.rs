@@ -240,7 +240,7 @@ pub enum LayupFileProblem {
         arcs: [f64; 2],
     },
     /// A section that cannot be meshed.
-    #[error("eta {eta}: {problem}")]
+    #[error("eta {eta}: {problem}{}", if .problem.has_lengths() { "; lengths in m" } else { "" })]
     Section {
         /// The position along the span [-].
         eta: f64,

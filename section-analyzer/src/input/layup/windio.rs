@@ -201,7 +201,6 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
     let resolvers: Vec<_> = etas
         .filter_map(|eta| Some((eta, Resolver::new(layup, eta).ok()?)))
         .collect();
-    let mut reported = Vec::new();
     for Doubt {
         what,
         line,
@@ -228,16 +227,13 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
             }
         }
         if worst.0 > SAME_PLACE {
-            reported.push(format!("{what} (line {line}) {}", worst.1));
+            let percent = (100.0 * worst.0).round();
+            notes.remarks.push(format!(
+                "line {line}: of two rules for {what} the first is used; they differ by {percent} % of \
+                 the chord: {}",
+                worst.1
+            ));
         }
-    }
-    if !reported.is_empty() {
-        let percent = 100.0 * SAME_PLACE;
-        notes.remarks.push(format!(
-            "of several rules for one place the first is used; they differ by more than \
-             {percent} % of the chord, in parts of the contour: {}",
-            reported.join("; ")
-        ));
     }
 }
 

@@ -90,11 +90,17 @@ function showHead() {
   byId("facts").replaceChildren(...facts.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   byId("footer").textContent = `Made by ${blade.program} ${blade.version}. ${data.reserves.length > 0 ? "Reserve factors are from section-analyzer strength." : "Without reserve factors: section-analyzer strength, then blade --report again, adds them."}`;
 }
+// Remarks that are not folded.
+const SHOWN = 3;
 function showRemarks() {
   byId("remarks").hidden = data.remarks.length === 0;
   const indices = (names) => names.map((name) => stations.findIndex((one) => one.name === name)).filter((i) => i >= 0);
   const entry = ({ text, sections }) => element("li", {}, text, ...(sections.length > 0 ? [": ", ...indices(sections).map(link)] : []));
-  byId("remark-list").replaceChildren(...data.remarks.map(entry));
+  const entries = data.remarks.map(entry);
+  byId("remark-list").replaceChildren(...entries.slice(0, SHOWN));
+  byId("remark-details").hidden = entries.length <= SHOWN;
+  byId("remark-count").textContent = `${entries.length - SHOWN} more remarks`;
+  byId("more-remarks").replaceChildren(...entries.slice(SHOWN));
 }
 function showModes() {
   const { modes } = data;
@@ -142,7 +148,7 @@ function listen() {
   });
   const refit = () => { if (stations.length > 0) { fit(); draw(); } };
   window.addEventListener("resize", refit);
-  window.addEventListener("beforeprint", () => { byId("station-details").open = true; refit(); });
+  window.addEventListener("beforeprint", () => { for (const id of ["station-details", "remark-details"]) byId(id).open = true; refit(); });
   window.addEventListener("afterprint", refit);
   listenToCanvas();
   listenToLoads();

@@ -10,6 +10,9 @@ use super::airfoil::contour;
 use super::version::Version;
 use super::{Notes, course, items, required};
 
+/// Largest difference of the stated and the measured thickness of an airfoil that is not reported, as a
+/// part of it.
+const OTHER_THICKNESS: f64 = 0.05;
 /// Thicknesses and positions that differ by less are one [-].
 const SAME: f64 = 1e-6;
 
@@ -208,12 +211,40 @@ fn airfoil(item: &Node, name: &str, notes: &mut Notes) -> Option<Placed> {
             return None;
         }
     };
+    let thickness = thickness?;
+    let found = thickness_of(&points);
+    if (found / thickness - 1.0).abs() > OTHER_THICKNESS {
+        let remark = format!(
+            "line {}: {of} has a {key} of {thickness}, and its points are {found:.4} thick: the contour is \
+             taken as it is, at the place of {thickness}",
+            item.line
+        );
+        // an airfoil may be at several positions
+        if !notes.remarks.contains(&remark) {
+            notes.remarks.push(remark);
+        }
+    }
     Some(Placed {
         name: name.to_owned(),
         line: item.line,
-        thickness: thickness?,
+        thickness,
         points,
     })
+}
+
+/// Largest distance of both sides of a contour, over its chord.
+fn thickness_of(points: &[[f64; 2]]) -> f64 {
+    let nose = (0..points.len()).min_by(|a, b| points[*a][0].total_cmp(&points[*b][0]));
+    let (upper, lower) = points.split_at(nose.unwrap_or(0));
+    let below = |x: f64| {
+        let behind = lower.partition_point(|point| point[0] < x);
+        let behind = behind.clamp(1, lower.len().max(2) - 1);
+        let [a, b] = [lower.get(behind - 1)?, lower.get(behind)?];
+        let part = ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
+        Some(a[1] + part * (b[1] - a[1]))
+    };
+    let heights = upper.iter().filter_map(|p| Some(p[1] - below(p[0])?));
+    heights.fold(0.0, f64::max)
 }
 
 /// Relative thickness over the span if the file has no table of it: of the airfoils at

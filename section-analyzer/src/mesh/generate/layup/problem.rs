@@ -109,7 +109,7 @@ pub enum LayupProblem {
     #[error("no layer reaches the trailing edge: nothing joins the two sides there")]
     Open,
     /// Layers thicker than the radius of the largest inscribed circle.
-    #[error("the layers are {} thick at arc {}, where the section leaves {}: layer \"{layer}\" does not fit", short(*.thickness), short(*.arc), short(*.radius))]
+    #[error("the layers are {} thick at arc {}, where the section leaves {}: layer \"{layer}\" does not fit; the thickest one there is \"{}\" with {}", short(*.thickness), short(*.arc), short(*.radius), .thickest.0, short(.thickest.1))]
     Tight {
         /// The innermost layer.
         layer: String,
@@ -119,6 +119,8 @@ pub enum LayupProblem {
         thickness: f64,
         /// Radius of the inscribed circle [unit of the mesh].
         radius: f64,
+        /// The thickest layer there, and its thickness [unit of the mesh].
+        thickest: (String, f64),
     },
     /// A web that leaves the contour.
     #[error("{web} does not meet the inner face of the {side} side near arc {}", short(*.arc))]
@@ -269,6 +271,21 @@ impl LayupProblem {
             | Self::FillBound { fill, .. } => Some(fill),
             _ => None,
         }
+    }
+
+    /// Whether its text has lengths, in the unit of the mesh.
+    pub fn has_lengths(&self) -> bool {
+        matches!(
+            self,
+            Self::Thickness { .. }
+                | Self::Size { .. }
+                | Self::NoRoomAtEdge { .. }
+                | Self::Tight { .. }
+                | Self::WebsOverlap { .. }
+                | Self::SparPlies { .. }
+                | Self::SpaceShape { .. }
+                | Self::Folded { .. }
+        )
     }
 
     /// Whether other cells may solve the problem.

@@ -215,6 +215,7 @@ impl WebWall {
                 arc: self.arcs[side],
                 thickness: thickness(s),
                 radius: way / lean.abs(),
+                thickest: stack.thickest(s),
             });
         }
         let surface = |x: f64| {

@@ -255,6 +255,14 @@ impl Stack {
         &self.courses[layer].name
     }
 
+    /// The thickest layer at an arc length, and its thickness.
+    pub fn thickest(&self, s: f64) -> (String, f64) {
+        let all = (0..self.len()).map(|layer| (layer, self.thickness(layer, s)));
+        let thickest = all.max_by(|a, b| a.1.total_cmp(&b.1));
+        let (layer, thickness) = thickest.unwrap_or((0, 0.0));
+        (self.name(layer).to_owned(), thickness)
+    }
+
     /// The outermost layer that is present at an arc length.
     pub fn outermost(&self, s: f64) -> Option<usize> {
         (0..self.len()).find(|layer| self.thickness(*layer, s) > 0.0)

@@ -328,6 +328,7 @@ impl Wall {
                 arc: pair.s[side] / self.outline.perimeter(),
                 thickness: needs[side],
                 radius: pair.length * needs[side] / (needs[0] + needs[1]),
+                thickest: self.stack.thickest(pair.s[side]),
             },
             _ => LayupProblem::Contour {
                 why: "is thinner than 5e-4 of its length in all of its rear half".into(),
@@ -448,6 +449,7 @@ impl Wall {
             arc: s / self.outline.perimeter(),
             thickness,
             radius,
+            thickest: self.stack.thickest(s),
         }
     }
 }
