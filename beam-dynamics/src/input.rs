@@ -243,17 +243,15 @@ pub fn parse_with(
     checked(text, names, (given, None))
 }
 
-/// The text of the dynamics input at `path`, with other cards in place of each `[[rotor]]`.
+/// The text of the dynamics input at `path`, with other cards in place of each `[[rotor]]`. A comment names
+/// the parameters whose values are numbers in these cards.
 ///
 /// # Errors
 /// Problems of syntax, of included files and of rotors.
 pub fn expanded(path: &Path) -> Result<String, Diagnostics> {
     let text = read_text(path)?;
     FileKind::Dynamics.require(path, &text)?;
-    let document = Document::parse_with_includes(&text, &path.display().to_string())?;
-    declare(&document, &document.root_of(&schema::DYNAMICS_FILE), &[]);
-    let expanded = rotors::expanded_text(&document, &text);
-    document.finish(expanded)
+    rotors::expanded(&text, &path.display().to_string())
 }
 
 /// The input in the text of a file, whose results are called `name`, with other values of the

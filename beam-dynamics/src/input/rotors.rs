@@ -7,8 +7,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Card, Document, Table};
+use shared_geom::error::Diagnostics;
 
 use super::analyses::Analyses;
+use super::declare;
 use super::hub::Hub;
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
@@ -136,10 +138,40 @@ fn names(document: &Document) -> Vec<String> {
         .collect()
 }
 
+/// The text of a file with the cards of each rotor in its place; parameters whose values are numbers in these
+/// cards are named in a comment.
+pub(super) fn expanded(text: &str, file: &str) -> Result<String, Diagnostics> {
+    let with = |given: &[(String, f64)]| {
+        let document = Document::parse_with_includes(text, file)?;
+        declare(&document, &document.root_of(&DYNAMICS_FILE), given);
+        let parameters = document.parameters().clone();
+        let expanded = expanded_text(&document, text);
+        Ok((document.finish(expanded)?, parameters))
+    };
+    let (expanded, parameters) = with(&[])?;
+    let is_fixed = |(name, value): &&(String, f64)| {
+        // Any other value of the same size.
+        let other = [(name.clone(), value * 1.0137 + 1.37e-3)];
+        let found: Result<_, Diagnostics> = with(&other);
+        found.is_ok_and(|(other, _)| other != expanded)
+    };
+    let fixed = parameters.iter().filter(is_fixed);
+    let fixed: Vec<_> = fixed.map(|(name, _)| format!("\"{name}\"")).collect();
+    Ok(if fixed.is_empty() {
+        expanded
+    } else {
+        let names = fixed.join(", ");
+        format!(
+            "# Cards of rotors have values of {names} of [parameters] as numbers, which do not follow them.\n\
+             {expanded}"
+        )
+    })
+}
+
 /// The text of a file with the cards of each rotor in its place, with the content of all included
 /// files if a rotor is in one of them, or is no table of its own; `None` if one is wrong, which has
 /// been noted.
-pub(super) fn expanded_text(document: &Document, source: &str) -> Option<String> {
+fn expanded_text(document: &Document, source: &str) -> Option<String> {
     let (rotors, is_sound) = read(document, &[])?;
     let text = |cards: &[Card]| {
         let cards: Vec<_> = cards.iter().map(ToString::to_string).collect();

@@ -2,11 +2,9 @@
 
 use std::path::Path;
 
-use shared_geom::document::Document;
-
 use crate::analysis::transient::transient;
 use crate::case::Model;
-use crate::input::{Input, declare, parse, schema};
+use crate::input::{Input, parse};
 use crate::model::{NodeMotion, State};
 use crate::result::{AcceptedStep, Recorder};
 
@@ -67,10 +65,7 @@ fn refused(text: &str) -> String {
 
 /// The expanded text of a text.
 fn expanded(text: &str) -> String {
-    let document = Document::parse_with_includes(text, "a.dynamics.toml").unwrap();
-    declare(&document, &document.root_of(&schema::DYNAMICS_FILE), &[]);
-    let expanded = super::expanded_text(&document, text);
-    document.finish(expanded).unwrap()
+    super::expanded(text, "a.dynamics.toml").unwrap()
 }
 
 /// All steps of a run.

@@ -194,3 +194,24 @@ fn a_rotor_of_an_included_file_is_expanded() {
     assert_eq!(nodes[0], nodes[1]);
     assert_eq!(there.summary, here.summary);
 }
+
+/// A speed and a collective by parameters: the comment names the one that is a number in the cards; signals
+/// and expressions of time keep their names, and so do values outside rotors.
+#[test]
+fn parameters_that_are_numbers_in_the_cards_are_named() {
+    let rotor = |speed: &str| {
+        format!(
+            "[parameters]\nrpm = 300\ng = 9.81\n{}",
+            text(
+                "rigid",
+                &format!("speed = {speed}\n"),
+                "[gravity]\nacceleration = [0, 0, \"= -g\"]\n"
+            )
+        )
+    };
+    let fixed = expanded(&rotor("\"= rpm\"").replacen("units = \"SI\"\n", "", 1));
+    let comment = "# Cards of rotors have values of \"rpm\" of [parameters] as numbers";
+    assert!(fixed.starts_with(comment), "{fixed}");
+    let free = expanded(&rotor("300").replacen("units = \"SI\"\n", "", 1));
+    assert!(!free.contains("# Cards of rotors"), "{free}");
+}
