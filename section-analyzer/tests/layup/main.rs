@@ -12,6 +12,7 @@ mod files;
 mod fills;
 mod invariances;
 mod keys;
+mod malformed;
 mod narrow;
 mod nose;
 mod prevabs;

@@ -90,8 +90,8 @@ function showHead() {
   byId("facts").replaceChildren(...facts.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   byId("footer").textContent = `Made by ${blade.program} ${blade.version}. ${data.reserves.length > 0 ? "Reserve factors are from section-analyzer strength." : "Without reserve factors: section-analyzer strength, then blade --report again, adds them."}`;
 }
-// Remarks that are not folded.
-const SHOWN = 3;
+// Remarks that are not folded; on a narrow page the curves come first.
+const SHOWN = window.innerWidth < 600 ? 0 : 3;
 function showRemarks() {
   byId("remarks").hidden = data.remarks.length === 0;
   const indices = (names) => names.map((name) => stations.findIndex((one) => one.name === name)).filter((i) => i >= 0);
@@ -99,7 +99,7 @@ function showRemarks() {
   const entries = data.remarks.map(entry);
   byId("remark-list").replaceChildren(...entries.slice(0, SHOWN));
   byId("remark-details").hidden = entries.length <= SHOWN;
-  byId("remark-count").textContent = `${entries.length - SHOWN} more remarks`;
+  byId("remark-count").textContent = `${entries.length - SHOWN} ${SHOWN > 0 ? "more " : ""}remarks`;
   byId("more-remarks").replaceChildren(...entries.slice(SHOWN));
 }
 function showModes() {

@@ -6,7 +6,7 @@ use super::super::super::distance;
 use super::problem::LayupProblem;
 use super::spar::{SparWall, WebWall};
 use super::types::{LayerArea, LayupSection};
-use super::wall::Wall;
+use super::wall::{Edge, Wall};
 
 /// Samples of the integral along the contour.
 const SAMPLES: usize = 2000;
@@ -113,6 +113,9 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
             }
         }
     }
+    if matches!(wall.edge, Edge::Face | Edge::Butt) {
+        add_ends(wall, &mut sums);
+    }
     // a mitre takes of both sides
     for corner in &wall.mitres {
         let mut outer = 0.0;
@@ -125,6 +128,22 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
         add_spar(wall, spar, &mut sums);
     }
     (sums, cut)
+}
+
+/// Parts of the layers between their ends on the base, which may be oblique, and the normals there: with
+/// the lean M of the column on the base, along the contour, `M (d2^2 - d1^2) / 2` between depths.
+fn add_ends(wall: &Wall, sums: &mut [f64]) {
+    for (s, sign) in wall.ends.into_iter().zip([-1.0, 1.0]) {
+        let (column, n) = (wall.column(s), wall.outline.inward(s));
+        let lean = n[0] * column.direction[1] - n[1] * column.direction[0];
+        let limit = column.depths.last().copied().unwrap_or(0.0);
+        let mut outer = 0.0;
+        for (sum, inner) in sums.iter_mut().zip(wall.stack.given_depths(s)) {
+            let inner = inner.min(limit);
+            *sum += 0.5 * sign * lean * (inner * inner - outer * outer);
+            outer = inner;
+        }
+    }
 }
 
 /// The parts along the webs of a spar; each of their mitres takes of both surfaces.
