@@ -127,8 +127,15 @@ fn from_guesses(
 ) -> Result<Equilibrium, NotBalanced> {
     let mut guesses = *full;
     guesses.loading.released = 1.0;
+    let determined = |found: Equilibrium| {
+        let balance = Balance::new(&model.system, solver, guesses, found.state.clone());
+        match undetermined(model, settings, &balance) {
+            Some(reason) => Err(NotBalanced::Idle(reason)),
+            None => Ok(found),
+        }
+    };
     if let Some(found) = at_once(model, solver, (&guesses, full)) {
-        return Ok(found);
+        return determined(found);
     }
     let rest = model.system.rest();
     let first = equilibrium(model, solver, (&Conditions::at_rest(), &rest), &guesses);
@@ -136,7 +143,7 @@ fn from_guesses(
     let found = equilibrium(model, solver, (&guesses, &first.state), full);
     let iterations = first.iterations;
     match found {
-        Ok(found) => Ok(Equilibrium {
+        Ok(found) => determined(Equilibrium {
             iterations: iterations + found.iterations,
             ..found
         }),
@@ -154,6 +161,18 @@ fn from_guesses(
             Err(idle.unwrap_or(NotBalanced::Targets(failure)))
         }
     }
+}
+
+/// Why the controls of an equilibrium with its targets do not determine them, in whatever units both are:
+/// targets that depend on each other are met by any of many controls.
+fn undetermined(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<String> {
+    let response = response(model, settings, balance)?;
+    let idle = |response: &_| {
+        let (controls, targets) = (&settings.controls, &settings.targets);
+        effects::idle((response, effects::EXACT), controls, targets)
+    };
+    let reason = idle(&response)?;
+    idle(&effects::balanced(response)).map(|_| reason)
 }
 
 /// The trim of a model in a frame at rest, from the undeformed model with first guesses of the controls and

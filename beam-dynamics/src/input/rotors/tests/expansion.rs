@@ -200,18 +200,13 @@ fn a_rotor_of_an_included_file_is_expanded() {
 #[test]
 fn parameters_that_are_numbers_in_the_cards_are_named() {
     let rotor = |speed: &str| {
-        format!(
-            "[parameters]\nrpm = 300\ng = 9.81\n{}",
-            text(
-                "rigid",
-                &format!("speed = {speed}\n"),
-                "[gravity]\nacceleration = [0, 0, \"= -g\"]\n"
-            )
-        )
+        let gravity = "[gravity]\nacceleration = [0, 0, \"= -g\"]\n";
+        let cards = text("rigid", &format!("speed = {speed}\n"), gravity);
+        let parameters = "units = \"SI\"\n[parameters]\nrpm = 300\ng = 9.81\n";
+        expanded(&cards.replacen("units = \"SI\"\n", parameters, 1))
     };
-    let fixed = expanded(&rotor("\"= rpm\"").replacen("units = \"SI\"\n", "", 1));
+    let fixed = rotor("\"= rpm\"");
     let comment = "# Cards of rotors have values of \"rpm\" of [parameters] as numbers";
     assert!(fixed.starts_with(comment), "{fixed}");
-    let free = expanded(&rotor("300").replacen("units = \"SI\"\n", "", 1));
-    assert!(!free.contains("# Cards of rotors"), "{free}");
+    assert!(!rotor("300").contains("# Cards of rotors"));
 }
