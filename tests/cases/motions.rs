@@ -18,9 +18,10 @@ use crate::workplace::{Workplace, root};
 /// Cases of many modes or periodic motions, which take longer than all others together;
 /// `tests/dynamics` checks the values of the same models, trims of other rotors in place of
 /// `rotor_trim`, modes of a smaller rotor in place of `turbine_modes`, and `turbine_gust` with longer steps.
-const ELSEWHERE: [&str; 6] = [
+const ELSEWHERE: [&str; 7] = [
     "four_blades",
     "ground_resonance",
+    "helicopter",
     "rotor_trim",
     "tiltrotor",
     "turbine_gust",
