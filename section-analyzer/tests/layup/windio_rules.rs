@@ -144,8 +144,25 @@ fn rules_that_differ_are_named() {
     assert!(remark(&blade(&other), "end_nd_arc of layer").ends_with(expected));
 }
 
+/// The tube without a web, with a layer from the end of the other one.
+fn with_next(lines: &str) -> String {
+    let next = "        - name: next
+          material: glass
+          thickness: {grid: [0, 1], values: [0.002, 0.002]}
+          start_nd_arc: {fixed: part}
+          end_nd_arc: {grid: [0, 1], values: [0.2, 0.2]}
+airfoils:\n";
+    let web = "        - name: web
+          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}
+          end_nd_arc: {grid: [0, 1], values: [0.7, 0.7]}\n";
+    let text = version_1(lines)
+        .replace("      webs:\n", "")
+        .replace(web, "");
+    text.replace("airfoils:\n", next)
+}
+
 /// A layer through the trailing edge, by both arcs, also beside its middle there, or by its middle and
-/// its width, is two layers; others may lie between its ends. Its area is that of the layer.
+/// its width, is two layers; others may lie between its ends. Its area is the area of the layer.
 #[test]
 fn a_layer_through_the_trailing_edge_is_two() {
     let arcs = flat(&[("start_nd_arc", 0.947), ("end_nd_arc", 0.053)]);
@@ -158,19 +175,7 @@ fn a_layer_through_the_trailing_edge_is_two() {
         width + fixed,
     ];
     for lines in cases {
-        let next = "        - name: next
-          material: glass
-          thickness: {grid: [0, 1], values: [0.002, 0.002]}
-          start_nd_arc: {fixed: part}
-          end_nd_arc: {grid: [0, 1], values: [0.2, 0.2]}
-airfoils:\n";
-        let web = "        - name: web
-          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}
-          end_nd_arc: {grid: [0, 1], values: [0.7, 0.7]}\n";
-        let text = version_1(&lines)
-            .replace("      webs:\n", "")
-            .replace(web, "");
-        let text = text.replace("airfoils:\n", next);
+        let text = with_next(&lines);
         let layup = read(&text).unwrap_or_else(|problems| panic!("{lines}: {problems}"));
         remark(&layup, "layer \"part\" goes through the trailing edge");
         let section = layup.section(0.5);
@@ -338,8 +343,8 @@ fn angles_of_version_1_are_in_rad() {
     );
 }
 
-/// Fiber angles that change along the span are those of each section: 30 degrees at the root and 10 at the tip
-/// are 20 in the middle, where the section is that of a layer of 20 degrees; the layup file keeps them.
+/// Fiber angles that change along the span are taken at each section: 30 degrees at the root and 10 at the tip
+/// are 20 in the middle, where the section has a layer of 20 degrees; the layup file keeps them.
 #[test]
 fn fiber_angles_may_change_along_the_span() {
     let text = |angles: [f64; 2]| {
