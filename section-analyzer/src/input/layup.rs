@@ -17,6 +17,7 @@ mod constants;
 mod course;
 mod edge;
 mod faded;
+mod fiber;
 mod fills;
 mod foot;
 mod keys;
@@ -90,9 +91,9 @@ pub struct WrittenLayer {
     pub material: String,
     /// Its thickness \[m\].
     pub thickness: Course,
-    /// Angle of its fiber from x, in the sense of `toward`; in webs toward the suction side
-    /// \[rad\].
-    pub fiber_angle: f64,
+    /// Angle of its fiber from x along the span, in the sense of `toward`; in webs toward the suction
+    /// side \[rad\].
+    pub fiber_angle: Course,
     /// The sense of the angle of the fiber in the shell.
     pub toward: Toward,
     /// Where it starts.
@@ -140,6 +141,8 @@ pub struct WrittenWeb {
 /// The mesh of a section of a layup.
 #[derive(Debug, Clone)]
 pub struct LayupMesh {
+    /// The position along the span [-].
+    pub eta: f64,
     /// The section, lengths \[m\].
     pub section: LayupSection,
     /// The mesh, in the unit of the file.
@@ -399,6 +402,7 @@ impl Layup {
             node.position /= self.unit;
         }
         Ok(LayupMesh {
+            eta,
             section,
             mesh,
             areas: made.areas,
@@ -412,6 +416,7 @@ impl Layup {
         let plies = self.webs.iter().flat_map(|web| &web.plies);
         for layer in self.layers.iter().chain(plies) {
             all.extend(layer.thickness.positions());
+            all.extend(layer.fiber_angle.positions());
             all.extend(layer.from.positions());
             all.extend(layer.to.positions());
         }
@@ -466,7 +471,7 @@ impl Layup {
         }
         places.extend(self.fills.iter_mut().flat_map(WrittenFill::places_mut));
         for layer in plies {
-            courses.push(&mut layer.thickness);
+            courses.extend([&mut layer.thickness, &mut layer.fiber_angle]);
             places.extend([&mut layer.from, &mut layer.to]);
         }
         courses.extend(places.into_iter().flat_map(Place::courses_mut));

@@ -74,7 +74,7 @@ fn write_shape(text: &mut String, layup: &Layup) -> std::fmt::Result {
     writeln!(text, "\n[shape]")?;
     writeln!(text, "chord = {}", course(&shape.chord, unit))?;
     writeln!(text, "origin = {}", course(&shape.origin, 1.0))?;
-    if !is_zero(&shape.offset) {
+    if !shape.offset.is_zero() {
         writeln!(text, "offset = {}", course(&shape.offset, unit))?;
     }
     if let Some(thickness) = &shape.thickness {
@@ -162,8 +162,8 @@ fn rows_of(layer: &WrittenLayer, unit: f64) -> Vec<String> {
         format!("material = {:?}", layer.material),
         format!("thickness = {}", course(&layer.thickness, unit)),
     ];
-    if layer.fiber_angle != 0.0 {
-        rows.push(format!("fiber_angle = {}", angle(layer.fiber_angle)));
+    if !layer.fiber_angle.is_zero() {
+        rows.push(format!("fiber_angle = {}", list(&layer.fiber_angle, angle)));
         if layer.toward != Toward::LeadingEdge {
             rows.push(format!("toward = {:?}", TOWARDS[layer.toward as usize]));
         }
@@ -185,7 +185,7 @@ fn entries(place: &Place, unit: f64) -> Vec<String> {
         }
         PlaceForm::Plane(distance, turn, on) => {
             let mut entries = vec![format!("plane = {}", course(distance, unit)), side(*on)];
-            if !is_zero(turn) {
+            if !turn.is_zero() {
                 entries.push(format!("angle = {}", list(turn, angle)));
             }
             entries
@@ -200,14 +200,10 @@ fn entries(place: &Place, unit: f64) -> Vec<String> {
         }
         PlaceForm::Named(name) => vec![format!("at = {name:?}")],
     };
-    if !is_zero(&place.shift) {
+    if !place.shift.is_zero() {
         entries.push(format!("shift = {}", course(&place.shift, unit)));
     }
     entries
-}
-
-fn is_zero(course: &Course) -> bool {
-    course.points().all(|(_, value)| value == 0.0)
 }
 
 /// An angle with its unit.

@@ -71,7 +71,8 @@ fn write_section(
         let Some(written) = layup.layer(&layer.name) else {
             continue;
         };
-        let (name, material, angle) = (&layer.name, &written.material, written.fiber_angle);
+        let angle = written.fiber_angle.at(meshed.eta);
+        let (name, material) = (&layer.name, &written.material);
         let web = written.web.as_ref().map(|(web, _)| web);
         if let Some(web) = web {
             region(&format!("{name}@{web}"), material, angle, web)?;
@@ -91,7 +92,8 @@ fn write_section(
     for web in &meshed.section.webs {
         for ply in &web.plies {
             if let Some(written) = layup.layer(&ply.name) {
-                region(&ply.name, &written.material, written.fiber_angle, &web.name)?;
+                let angle = written.fiber_angle.at(meshed.eta);
+                region(&ply.name, &written.material, angle, &web.name)?;
             }
         }
     }

@@ -134,7 +134,7 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
     text + &of_cells(&stations)
 }
 
-/// Part by which the reserve factor of a point may be below that of the mean stress of its cell
+/// Part by which the reserve factor of a point may be below the one of the mean stress of its cell
 /// without a remark.
 const VARIES: f64 = 0.1;
 
@@ -155,7 +155,7 @@ fn of_cells(stations: &[&ReserveRow]) -> String {
         return String::new();
     }
     format!(
-        "\nNot converged with the mesh: the reserve factor is more than {} % below that of the mean stress \
+        "\nNot converged with the mesh: the reserve factor is more than {} % below the one of the mean stress \
          of the cell (both in brackets); solve with smaller cells, \"size\" in [mesh], and compare: eta \
          {}\n",
         100.0 * VARIES,

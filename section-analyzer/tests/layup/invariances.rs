@@ -91,29 +91,41 @@ fn symmetric_sections_have_no_coupling_of_the_others() {
 }
 
 /// Cells of 1/60 and 1/120 of the contour against 1/240: mass and EA within 0.02 %, EI within 0.12 %, GJ
-/// within 0.7 %, twice the differences of the prototype; ramps have the length of a cell.
+/// within 0.7 %, twice the differences of the prototype. The ends of layers without a taper drop over the
+/// thickness, at most a cell: on IEA-15 at 0.5 skins end beside the trailing edge, and the length of their
+/// drops decides how both sides are joined there, GJ is up to 1.3 % off. With tapers of a given length it is
+/// within 0.2 %.
 #[test]
 fn sections_converge_with_the_cells() {
     const MOST: [f64; 5] = [2e-4, 2e-4, 1.2e-3, 1.2e-3, 7e-3];
-    let all = cases();
-    let chosen = ["iea22 at 0.207", "iea22 at 0.414"];
-    for case in all.iter().filter(|case| chosen.contains(&&*case.name)) {
+    const DROPS: [f64; 5] = [2e-4, 4e-4, 3.5e-3, 1.2e-3, 1.4e-2];
+    for case in cases().iter().filter(|case| case.name != "iea10 at 1") {
         let contour = &case.section.contour;
         let lengths = contour.iter().zip(contour.iter().cycle().skip(1));
         let perimeter: f64 = lengths.map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum();
-        let with = |cells: f64| {
-            let mut case = case.clone();
-            case.section.size = Some(perimeter / cells);
-            let meshed = case.section.generate().expect("a mesh");
-            solved(&case, &meshed)
-        };
-        let fine = with(240.0);
-        for cells in [60.0, 120.0] {
-            let found = with(cells);
-            let errors = [0, 1, 2, 3, 4].map(|i| found[i] / fine[i] - 1.0);
-            println!("{} {cells}: {errors:?}", case.name);
-            for (error, most) in errors.iter().zip(MOST) {
-                assert!(error.abs() < most, "{} {cells}: {errors:?}", case.name);
+        for taper in [None, Some(perimeter / 240.0)] {
+            let with = |cells: f64| {
+                let mut case = case.clone();
+                case.section.size = Some(perimeter / cells);
+                case.section
+                    .layers
+                    .iter_mut()
+                    .for_each(|layer| layer.taper = taper);
+                let meshed = case.section.generate().expect("a mesh");
+                solved(&case, &meshed)
+            };
+            let fine = with(240.0);
+            for cells in [60.0, 120.0] {
+                let found = with(cells);
+                let errors = [0, 1, 2, 3, 4].map(|i| found[i] / fine[i] - 1.0);
+                println!("{} {taper:?} {cells}: {errors:.6?}", case.name);
+                let most = match (&*case.name, taper) {
+                    ("iea15 at 0.5", None) => DROPS,
+                    _ => MOST,
+                };
+                let mut pairs = errors.iter().zip(most);
+                let is_within = pairs.all(|(error, most)| error.abs() < most);
+                assert!(is_within, "{} {taper:?} {cells}: {errors:?}", case.name);
             }
         }
     }

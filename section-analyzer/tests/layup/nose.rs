@@ -93,7 +93,7 @@ fn areas_between(depths: &[f64]) -> Vec<f64> {
     areas
 }
 
-/// A point of the body is of the layer in whose depths it is: the areas of the layers are those of
+/// A point of the body is of the layer in whose depths it is: the areas of the layers are the areas of
 /// the points at these distances from the contour. The layers are up to 2.8 times as thick as the
 /// nose is round, and meet up to 1 m behind it. A grid of 70000 points gives the areas within 0.2 %.
 #[test]
@@ -124,7 +124,7 @@ fn layers_are_cut_where_both_sides_meet_at_the_nose() {
     }
 }
 
-/// The layers of one side are 1.6 times as thick as the nose is round, those of the other one thin:
+/// The layers of one side are 1.6 times as thick as the nose is round, and of the other one thin:
 /// the mean of both fits, and they do not overlap.
 #[test]
 fn a_side_may_use_the_space_that_the_other_one_leaves() {

@@ -3,7 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use section_analyzer::input::layup::Layup;
+use section_analyzer::input::layup::{self, Layup};
+use section_analyzer::output::{layup_file, layup_section};
 
 use crate::sections::close;
 use crate::windio::{read, tube};
@@ -143,8 +144,25 @@ fn rules_that_differ_are_named() {
     assert!(remark(&blade(&other), "end_nd_arc of layer").ends_with(expected));
 }
 
+/// The tube without a web, with a layer from the end of the other one.
+fn with_next(lines: &str) -> String {
+    let next = "        - name: next
+          material: glass
+          thickness: {grid: [0, 1], values: [0.002, 0.002]}
+          start_nd_arc: {fixed: part}
+          end_nd_arc: {grid: [0, 1], values: [0.2, 0.2]}
+airfoils:\n";
+    let web = "        - name: web
+          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}
+          end_nd_arc: {grid: [0, 1], values: [0.7, 0.7]}\n";
+    let text = version_1(lines)
+        .replace("      webs:\n", "")
+        .replace(web, "");
+    text.replace("airfoils:\n", next)
+}
+
 /// A layer through the trailing edge, by both arcs, also beside its middle there, or by its middle and
-/// its width, is two layers; others may lie between its ends. Its area is that of the layer.
+/// its width, is two layers; others may lie between its ends. Its area is the area of the layer.
 #[test]
 fn a_layer_through_the_trailing_edge_is_two() {
     let arcs = flat(&[("start_nd_arc", 0.947), ("end_nd_arc", 0.053)]);
@@ -157,19 +175,7 @@ fn a_layer_through_the_trailing_edge_is_two() {
         width + fixed,
     ];
     for lines in cases {
-        let next = "        - name: next
-          material: glass
-          thickness: {grid: [0, 1], values: [0.002, 0.002]}
-          start_nd_arc: {fixed: part}
-          end_nd_arc: {grid: [0, 1], values: [0.2, 0.2]}
-airfoils:\n";
-        let web = "        - name: web
-          start_nd_arc: {grid: [0, 1], values: [0.3, 0.3]}
-          end_nd_arc: {grid: [0, 1], values: [0.7, 0.7]}\n";
-        let text = version_1(&lines)
-            .replace("      webs:\n", "")
-            .replace(web, "");
-        let text = text.replace("airfoils:\n", next);
+        let text = with_next(&lines);
         let layup = read(&text).unwrap_or_else(|problems| panic!("{lines}: {problems}"));
         remark(&layup, "layer \"part\" goes through the trailing edge");
         let section = layup.section(0.5);
@@ -199,9 +205,8 @@ airfoils:\n";
         let area: f64 = parts.map(|area| area.meshed).sum();
         // in the skin of 10 mm on the circle of 1 m
         close(area, 0.106 * TAU * 0.002 * (1.0 - 0.011), 2e-3, &lines);
-        let written = section_analyzer::output::layup_file(&layup, "a.yaml");
-        let again =
-            section_analyzer::input::layup::parse(&written, std::path::Path::new("a.layup.toml"));
+        let written = layup_file(&layup, "a.yaml");
+        let again = layup::parse(&written, std::path::Path::new("a.layup.toml"));
         let again = again.unwrap_or_else(|problems| panic!("{problems}"));
         assert_eq!(
             again.section(0.5).ok(),
@@ -336,6 +341,35 @@ fn angles_of_version_1_are_in_rad() {
         plane.contains("rotation of layer \"part\": found 10 at 1"),
         "{plane}"
     );
+}
+
+/// Fiber angles that change along the span are taken at each section: 30 degrees at the root and 10 at the tip
+/// are 20 in the middle, where the section has a layer of 20 degrees; the layup file keeps them.
+#[test]
+fn fiber_angles_may_change_along_the_span() {
+    let text = |angles: [f64; 2]| {
+        let angles = angles.map(f64::to_radians);
+        version_1(&format!(
+            "fiber_orientation: {{grid: [0, 1], values: [{}, {}]}}\n",
+            angles[0], angles[1]
+        ))
+    };
+    let section = |layup: &Layup| {
+        let meshed = layup
+            .mesh(0.5)
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        layup_section(layup, &meshed, "a.msh")
+    };
+    let [changing, constant] = [[30.0, 10.0], [20.0, 20.0]]
+        .map(|angles| read(&text(angles)).unwrap_or_else(|problems| panic!("{problems}")));
+    assert!(section(&constant).contains("fiber_angle = \"-20 deg\""));
+    assert_eq!(section(&changing), section(&constant));
+    let written = layup_file(&changing, "a.yaml");
+    let web = "[[web]]";
+    let written = &written[..written.find(web).expect("the web")];
+    let again = layup::parse(written, std::path::Path::new("a.layup.toml"));
+    let again = again.unwrap_or_else(|problems| panic!("{problems}"));
+    assert_eq!(section(&again), section(&changing));
 }
 
 /// Versions, unknown keys, positions of airfoils and two thicknesses.

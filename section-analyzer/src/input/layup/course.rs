@@ -241,6 +241,11 @@ impl Course {
         WORDS[self.kind as usize]
     }
 
+    /// Whether it is zero along the whole span.
+    pub fn is_zero(&self) -> bool {
+        self.value.iter().all(|value| *value == 0.0)
+    }
+
     /// Positions and values.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
         self.eta.iter().copied().zip(self.value.iter().copied())

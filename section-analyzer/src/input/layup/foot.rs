@@ -45,7 +45,7 @@ fn read(known: &Known, table: &Table<'_>, web: &WrittenWeb) -> Option<Vec<Writte
     for foot in [0, 1].map(foot) {
         if let Some((material, thickness)) = &bond {
             let places = foot.between(way);
-            layers.push(foot.layer("bond", (material, thickness, 0.0), places));
+            layers.push(foot.layer("bond", (material, thickness, Course::constant(0.0)), places));
         }
         if turned {
             layers.extend(foot.flanges(way));
@@ -66,7 +66,7 @@ impl Sides<'_> {
     fn layer(
         &self,
         kind: &str,
-        (material, thickness, fiber_angle): (&str, &Course, f64),
+        (material, thickness, fiber_angle): (&str, &Course, Course),
         reach: [Place; 2],
     ) -> WrittenLayer {
         let name = format!("{}_{kind}_{}", self.web.name, SIDES[self.side]);
@@ -83,7 +83,11 @@ impl Sides<'_> {
         let ends = [self.web.plies.first(), self.web.plies.last()];
         let flange = |(number, ply): (usize, Option<&WrittenLayer>)| {
             let ply = ply?;
-            let of_ply = (ply.material.as_str(), &ply.thickness, ply.fiber_angle);
+            let of_ply = (
+                ply.material.as_str(),
+                &ply.thickness,
+                ply.fiber_angle.clone(),
+            );
             match WAYS[way] {
                 "both" => {
                     let kind = ["fore_flange", "aft_flange"][number];

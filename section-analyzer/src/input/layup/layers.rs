@@ -28,7 +28,7 @@ impl WrittenLayer {
             name,
             material,
             thickness,
-            fiber_angle: 0.0,
+            fiber_angle: Course::constant(0.0),
             toward: Toward::LeadingEdge,
             from,
             to,
@@ -86,7 +86,7 @@ impl Known {
             return None;
         }
         let web = web.map(|web| (web, line));
-        let layer = |name: String, thickness: Course, fiber_angle: f64| {
+        let layer = |name: String, thickness: Course, fiber_angle: Course| {
             Some(WrittenLayer {
                 name,
                 material: material.clone()?,
@@ -110,7 +110,8 @@ impl Known {
             Stack::Thickness(thickness) => Some(vec![layer(name, thickness, angle?.0)?]),
             Stack::Plies(ply, angles) => {
                 let plies = angles.iter().zip(1..).map(|(angle, number)| {
-                    layer(format!("{name}/{number}"), Course::constant(ply), *angle)
+                    let angle = Course::constant(*angle);
+                    layer(format!("{name}/{number}"), Course::constant(ply), angle)
                 });
                 plies.collect()
             }

@@ -179,7 +179,7 @@ fn blade(
 fn fiber_sign(layers: &[WrittenLayer]) -> Option<String> {
     let inclined = layers
         .iter()
-        .filter(|layer| layer.fiber_angle != 0.0 && layer.web.is_none());
+        .filter(|layer| !layer.fiber_angle.is_zero() && layer.web.is_none());
     let names: Vec<&String> = inclined.map(|layer| &layer.name).collect();
     (!names.is_empty()).then(|| {
         format!(

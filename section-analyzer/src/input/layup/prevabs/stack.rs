@@ -75,7 +75,7 @@ impl Named<'_> {
         let named = (name.to_owned(), self.ply.material.clone());
         let thickness = Course::constant(self.ply.thickness);
         WrittenLayer {
-            fiber_angle: self.ply.angle.to_radians(),
+            fiber_angle: Course::constant(self.ply.angle.to_radians()),
             toward: Toward::Contour,
             ..WrittenLayer::plain(named, thickness, arcs.map(Place::arc), self.line)
         }

@@ -52,7 +52,7 @@ pub(super) fn web(
         let named = (name, ply.material.clone());
         let (thickness, whole) = (Course::constant(ply.thickness), [0.0, 1.0].map(Place::arc));
         WrittenLayer {
-            fiber_angle: (ply.angle * run.signum()).to_radians(),
+            fiber_angle: Course::constant((ply.angle * run.signum()).to_radians()),
             ..WrittenLayer::plain(named, thickness, whole, line)
         }
     });

@@ -270,25 +270,22 @@ fn measure(node: &Node, (key, of): (&str, &str), notes: &mut Notes) -> Option<Co
 }
 
 /// The angle of the fibers, toward the leading edge \[rad\].
-fn fiber_angle(item: &Node, of: &str, version: Version, notes: &mut Notes) -> Option<f64> {
+fn fiber_angle(item: &Node, of: &str, version: Version, notes: &mut Notes) -> Option<Course> {
     let Some(node) = item.entry("fiber_orientation") else {
-        return Some(0.0);
+        return Some(Course::constant(0.0));
     };
     let what = format!("fiber_orientation of {of}");
     let read = course(node, &what, notes)?;
     let at = (what.as_str(), node.line);
     angles::check(version, at, read.points(), Angle::Small, notes)?;
     let first = read.at(0.0);
-    if let Some((eta, other)) = read
+    let is_one = read
         .points()
-        .find(|(_, angle)| (angle - first).abs() > SAME)
-    {
-        let found = format!("{first} at the root and {other} at {eta}");
-        let help = "split the layer into layers of one angle each";
-        notes.wrong(node.line, [&what, &found, "one angle", help]);
-        return None;
-    }
-    Some(version.angle() * first)
+        .all(|(_, angle)| (angle - first).abs() <= SAME);
+    Some(match is_one {
+        true => Course::constant(version.angle() * first),
+        false => read.map(|_, angle| version.angle() * angle),
+    })
 }
 
 /// A web without its plies; it is absent outside of the tables of its places.

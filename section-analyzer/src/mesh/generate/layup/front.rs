@@ -23,7 +23,7 @@ const SAMPLES: [usize; 2] = [240, 600];
 const STEPS: usize = 40;
 /// Distance from the nose from which circles give way to lines, and the length over which they do,
 /// of the chord.
-const GIVES_WAY: [f64; 2] = [0.1, 0.15];
+const FADES: [f64; 2] = [0.1, 0.15];
 /// The same distance, in distances of the end of the fan.
 const BEHIND_FAN: f64 = 1.2;
 
@@ -95,8 +95,8 @@ impl Front {
     /// The part that circles have of the pairs at a distance from the nose, with the fan up to
     /// another one, of the chord.
     pub fn part(x: f64, fan: f64) -> f64 {
-        let from = GIVES_WAY[0].max(BEHIND_FAN * fan);
-        let part = ((x - from) / GIVES_WAY[1]).clamp(0.0, 1.0);
+        let from = FADES[0].max(BEHIND_FAN * fan);
+        let part = ((x - from) / FADES[1]).clamp(0.0, 1.0);
         1.0 - part * part * (3.0 - 2.0 * part)
     }
 

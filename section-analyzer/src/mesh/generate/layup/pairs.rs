@@ -72,7 +72,7 @@ pub(in super::super) struct Pair {
 }
 
 impl Pairs {
-    /// The pairs ahead of `edges`; with circles ahead, whose nose is that of the outline, they go to
+    /// The pairs ahead of `edges`; with circles ahead, whose nose is the nose of the outline, they go to
     /// the nose.
     pub fn new(outline: &Outline, front: Option<&Front>, edges: [f64; 2]) -> Self {
         let (nose, middle) = (outline.position(outline.nose()), outline.middle());
