@@ -156,8 +156,8 @@ fn delay(
     remarks: &mut Vec<String>,
 ) -> Option<Option<RotorStallDelay>> {
     let delay = rotor_delay::read(table)?;
-    if let (Some(_), Some(stations)) = (&delay, stations) {
-        rotor_delay::check(table, stations.sections(), user, remarks)?;
+    if let (Some(delay), Some(stations)) = (&delay, stations) {
+        rotor_delay::check((table, delay), stations.sections(), user, remarks)?;
     }
     Some(delay)
 }

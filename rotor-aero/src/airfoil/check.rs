@@ -29,8 +29,8 @@ const GAP: f64 = PI / 7.2;
 /// \[rad\].
 const STALL: f64 = PI / 9.0;
 
-/// Largest angle, of both signs, between which rows that are missing among others are looked for \[rad\].
-const ATTACHED: f64 = PI / 12.0;
+/// Angles between which rows that are missing among others are looked for \[rad\].
+const NEAR_STALL: [f64; 2] = [-PI / 12.0, PI / 9.0];
 
 /// Least step of missing rows \[rad\], and in steps around it \[-\].
 const SKIPPED: [f64; 2] = [PI / 36.0, 4.0];
@@ -433,7 +433,7 @@ fn skipped(name: &str, curve: &Curve) -> Option<AirfoilRemark> {
         .windows(2)
         .filter_map(|step| step.first_chunk::<2>());
     let mut steps: Vec<_> = steps
-        .filter(|step| step.iter().all(|angle| angle.abs() <= ATTACHED))
+        .filter(|step| step[0] >= NEAR_STALL[0] && step[1] <= NEAR_STALL[1])
         .collect();
     let width = |step: &[f64; 2]| step[1] - step[0];
     steps.sort_by(|a, b| width(a).total_cmp(&width(b)));

@@ -75,6 +75,8 @@ fn missing_rows_among_others_are_remarked() {
             .iter()
             .any(|it| it.contains("between 4 and 13 deg, where steps are 0.5 deg"))
     );
+    let found = polar(0.5, &|at| !(10.6..16.4).contains(&at));
+    assert!(has(&found), "{found:?}");
     for (step, few) in [(0.5, true), (1.0, true), (2.0, true), (5.0, false)] {
         assert!(!has(&polar(step, &|_| true)), "{step}");
         let found = polar(step, &|at| !(0.1..13.9).contains(&at));

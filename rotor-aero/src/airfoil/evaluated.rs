@@ -36,6 +36,9 @@ pub struct Airfoil {
     source: Option<(Arc<AirfoilData>, Interpolation)>,
 }
 
+/// Largest lift of tables without a stall to delay \[-\].
+const LIFTLESS: f64 = 0.2;
+
 #[derive(Debug, Clone, PartialEq)]
 enum Law {
     Table(Box<Tables>),
@@ -122,6 +125,20 @@ impl Airfoil {
     /// Whether it has a table whose stall may be delayed.
     pub fn has_stall_delay(&self) -> bool {
         self.source.is_some()
+    }
+
+    /// Reasons why the lift of its table has no line between two angles \[rad\], which a delay of stall needs; none
+    /// without a table, and for tables whose lift is small at all angles, as of cylinders.
+    pub fn without_line(&self, fit: [f64; 2]) -> Vec<AirfoilProblem> {
+        let Some((data, _)) = &self.source else {
+            return Vec::new();
+        };
+        let values = data.lift.iter().flat_map(|curve| &curve.values);
+        if values.fold(0.0, |largest: f64, value| largest.max(value.abs())) < LIFTLESS {
+            return Vec::new();
+        }
+        let delay = StallDelay::snel(1.0).with_fit(fit);
+        data.with_stall_delay(&delay).err().unwrap_or_default()
     }
 
     /// The airfoil with delayed stall; `None` if it has no such table, or no lift to delay.

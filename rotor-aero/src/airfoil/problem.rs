@@ -297,7 +297,7 @@ pub enum AirfoilRemark {
     /// Rows that are missing among others at small angles.
     #[error(
         "{curve}: no values between {from_deg} and {to_deg} deg, where steps are {usual_deg} deg: rows seem \
-         to be missing, between which the curve is only a guess"
+         to be missing, and the curve between them is a guess: add them"
     )]
     Skipped {
         /// Curve.

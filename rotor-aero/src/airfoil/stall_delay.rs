@@ -9,7 +9,8 @@
 //! ```
 //!
 //! The drag at negative angles is the one of the section upside down.
-//! The factor is at most 1, which is the line: chords at a root may be longer than their radius.
+//! The factor of Du and Selig is the one of the c/r at which it is largest also beyond it.
+//! It is at most 1, which is the line: chords at a root may be longer than their radius.
 //! Above 30 deg it fades with `((90 deg - a)/(60 deg))^2` to zero at 90 deg, on both sides.
 //! A lift that contains the delay must not be corrected again: most public tables of wind
 //! turbines do.
@@ -97,7 +98,9 @@ impl StallDelay {
                 speed_ratio,
                 radius_ratio,
             } => {
-                let x = ratio.powf(1.0 / (speed_ratio * radius_ratio));
+                let exponent = 1.0 / (speed_ratio * radius_ratio);
+                let ratio = ratio.min(largest_ratio(exponent));
+                let x = ratio.powf(exponent);
                 (1.6 * ratio / 0.1267 * (1.0 - x) / (1.0 + x) - 1.0) / slope
             }
             StallDelayLaw::Snel => 3.0 * ratio * ratio,
@@ -115,6 +118,17 @@ impl StallDelay {
             StallDelayLaw::Snel => true,
         }
     }
+}
+
+/// The ratio c/r at which the factor of Du and Selig is largest, from the zero of its derivative, beyond which
+/// chords are those of roots:
+///
+/// ```text
+/// d/dc [c (1 - c^p)/(1 + c^p)] = 0 ,     c^p = sqrt(p^2 + 1) - p
+/// ```
+fn largest_ratio(p: f64) -> f64 {
+    // The difference without its cancellation.
+    (p.hypot(1.0) + p).recip().powf(p.recip())
 }
 
 impl AirfoilData {
@@ -314,6 +328,30 @@ mod tests {
         let delayed = data.with_stall_delay(&StallDelay::snel(0.1)).unwrap();
         assert!((delayed.lift[0].values[2] - (0.8 + 0.03 * 0.2)).abs() < 1e-12);
         assert_eq!(delayed.drag, data.drag);
+    }
+
+    /// The lift at 25 deg grows with the chord, and stays below the line, for any chord.
+    #[test]
+    fn wide_chords_do_not_turn_the_factor_over() {
+        let data = table(
+            &[-5.0, 0.0, 5.0, 25.0, 90.0, 180.0],
+            vec![-0.5, 0.0, 0.5, 1.0, 0.0, 0.0],
+        );
+        for radius_ratio in [0.05, 0.1, 0.3, 0.6, 1.0] {
+            let lift = |ratio: f64| {
+                let delay = StallDelay::du_selig(ratio, radius_ratio, 0.97);
+                data.with_stall_delay(&delay).unwrap().lift[0].values[3]
+            };
+            let mut last = lift(0.01);
+            for k in 2..400 {
+                let found = lift(0.01 * f64::from(k));
+                assert!(
+                    found >= last - 1e-12 && found <= 2.5 + 1e-12,
+                    "{radius_ratio} {k} {found}"
+                );
+                last = found;
+            }
+        }
     }
 
     #[test]

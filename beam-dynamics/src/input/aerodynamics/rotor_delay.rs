@@ -56,14 +56,22 @@ pub(in crate::input) fn read(table: &Table<'_>) -> Option<Option<RotorStallDelay
 
 /// Notes sections of which none has a table whose stall may be delayed; remarks on some.
 pub(in crate::input) fn check<'a>(
-    table: &Table<'_>,
+    (table, delay): (&Table<'_>, &RotorStallDelay),
     sections: impl Iterator<Item = &'a Section>,
     user: &str,
     remarks: &mut Vec<String>,
 ) -> Option<()> {
     let (mut without, mut is_any) = (Vec::new(), false);
+    let (mut lines, mut is_sound) = (Vec::new(), true);
     for (_, airfoil) in sections.flat_map(Section::parts) {
         is_any |= airfoil.has_stall_delay();
+        if !lines.contains(&airfoil.name()) {
+            lines.push(airfoil.name());
+            for problem in airfoil.without_line(delay.fit) {
+                table.note(&BLADE_STALL_DELAY, &problem);
+                is_sound = false;
+            }
+        }
         let name = format!("\"{}\"", airfoil.name());
         if !airfoil.has_stall_delay() && !without.contains(&name) {
             without.push(name);
@@ -80,7 +88,7 @@ pub(in crate::input) fn check<'a>(
              \"stall_delay\" of their own"
         ));
     }
-    Some(())
+    is_sound.then_some(())
 }
 
 #[cfg(test)]
@@ -124,6 +132,11 @@ mod tests {
                 "\"speed_ratio\" is 1.1, expected at most 1",
             ),
             (naca, "to = 80", "\"to\" is 80, expected at most 1"),
+            (
+                naca,
+                "fit = [40, 60]",
+                "no positive slope of two points in the range of the fit",
+            ),
             (
                 naca,
                 "fit = [5, -5]",

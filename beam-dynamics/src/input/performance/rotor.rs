@@ -81,6 +81,9 @@ const STEEPEST: f64 = 80.0_f64.to_radians();
 /// Least number of azimuths by which the mean of a turn is a mean.
 const LEAST_SECTORS: usize = 3;
 
+/// Radius of the tip of a file over the one of its last station, from which it is remarked.
+const LONGER: f64 = 1.02;
+
 /// Part of a radius by which the digits of a file may differ.
 const ROUNDING: f64 = 1e-9;
 
@@ -117,7 +120,7 @@ pub(super) fn read(
         let (key, example) = (BLADES.name(), "blades = 3");
         table.note("", &PerformanceProblem::Missing { key, example });
     }
-    let [hub_radius, tip_radius] = radii(table, ends, &mut blade)?;
+    let [hub_radius, tip_radius] = radii(table, ends, (&mut blade, remarks))?;
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
     let precone = precone?.or(blade.cone).unwrap_or_default();
@@ -158,9 +161,9 @@ pub(super) fn read(
         sectors,
     };
     let delay = delay?;
-    if delay.is_some() {
+    if let Some(delay) = &delay {
         let sections = rotor.stations.iter().map(|station| &station.section);
-        rotor_delay::check(table, sections, "[rotor]", remarks)?;
+        rotor_delay::check((table, delay), sections, "[rotor]", remarks)?;
     }
     let rotor = with_panels(rotor, panels?, table)?;
     Some(Rotor {
@@ -299,7 +302,7 @@ fn blade(
 fn radii(
     table: &Table<'_>,
     (hub, tip): (Option<f64>, Option<f64>),
-    blade: &mut FileBlade,
+    (blade, remarks): (&mut FileBlade, &mut Vec<String>),
 ) -> Option<[f64; 2]> {
     if blade.from_root {
         let Some(hub) = hub.or(blade.hub_radius) else {
@@ -320,8 +323,16 @@ fn radii(
     // The hub of a file may be a larger radius, at which its shape begins.
     let of_file = |hub: f64| if blade.from_root { hub } else { hub.min(first) };
     let hub = hub.unwrap_or_else(|| blade.hub_radius.map_or(first, of_file));
-    let tip = tip.or(blade.tip_radius).unwrap_or(last);
     let slack = ROUNDING * last;
+    let of_file = blade.tip_radius.filter(|_| tip.is_none());
+    if let Some(found) = of_file.filter(|found| *found < last - slack || *found > LONGER * last) {
+        let [found, last] = [found, last].map(|radius| short_number(radius, 6));
+        remarks.push(format!(
+            "[rotor]: the file has the radius {found} m for the tip, and its blade ends at {last} m along its \
+             axis: the larger one is used, give \"tip_radius\" if it is another"
+        ));
+    }
+    let tip = tip.unwrap_or_else(|| of_file.map_or(last, |found| found.max(last)));
     if hub > first + slack {
         let problem = PerformanceProblem::End {
             key: HUB_RADIUS.name(),

@@ -282,7 +282,7 @@ impl<'a> FailureContext<'a> {
                 ),
                 &[
                     "give the inflow wake = \"dynamic\", whose velocities cannot jump",
-                    "give the sections a lag of stall, section = \"separation_lag\"",
+                    "or choose another model of the sections, as \"separation_lag\" or \"oye\"",
                 ],
             )
         })

@@ -53,7 +53,8 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
     let frame = &mean?.frame;
     let wind = Vector3::from(mean?.velocity());
     let direction = match direction? {
-        None => of_wind(table, DIRECTION.name(), wind.try_normalize(0.0)),
+        // In still air the downwind axis.
+        None => Some(wind.try_normalize(0.0).unwrap_or_else(Vector3::x)),
         Some(direction) => {
             let direction = direction.try_normalize(0.0);
             if direction.is_none() {
@@ -92,7 +93,7 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
 /// A default by the wind at time zero; noted where there is none.
 fn of_wind<T>(table: &Table<'_>, key: &'static str, found: Option<T>) -> Option<T> {
     if found.is_none() {
-        let user = "a gust in an air that has no wind at time zero";
+        let user = "a gust where the mean wind is zero at time zero";
         table.note(&SHAPE, &AirProblem::Missing { key, user });
     }
     found

@@ -341,8 +341,7 @@ fn gusts_begin_at_their_point_and_time() {
         (
             "[[air.gust]]\nshape = \"sharp edge\"\nvelocity = [0, 1, 0]\n",
             &[
-                "\"direction\" is missing, which a gust in an air that has no wind at time zero needs",
-                "\"speed\" is missing",
+                "\"speed\" is missing, which a gust where the mean wind is zero at time zero needs",
                 "a.toml:3",
             ],
         ),

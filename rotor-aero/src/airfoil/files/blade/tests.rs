@@ -164,6 +164,13 @@ fn windio_1_has_labels_along_the_span() {
         (Some(3), Some(2.0), Some(50.0))
     );
     assert_eq!((blade.cone, blade.tilt), (Some(0.05), Some(0.1)));
+    let degrees = VERSION_1.replace("cone_angle: 0.05", "cone_angle: 2.5");
+    let refused = parse_blade(&degrees, Path::new("a.yaml"), &BladeOptions::default());
+    let shown = refused.unwrap_err().to_string();
+    assert!(
+        shown.contains("cone_angle of the hub") && shown.contains("143.2394 deg"),
+        "{shown}"
+    );
     let second = &blade.stations[1];
     near(second.twist, -0.15);
     near(second.prebend, -1.0);

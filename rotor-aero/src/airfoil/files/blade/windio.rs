@@ -67,6 +67,9 @@ pub(super) fn read(text: &str, _: &BladeOptions, notes: &mut Notes) -> Option<Bl
     Some(blade)
 }
 
+/// Largest cone of a turbine \[rad\].
+const LARGEST_CONE: f64 = std::f64::consts::PI / 6.0;
+
 /// Values of the turbine as a whole, with angles in degrees or in radians.
 fn whole(root: &Node, blade: &mut BladeAero, has_degrees: bool, notes: &mut Notes) {
     let number = |path: &[&str], notes: &mut Notes| {
@@ -98,7 +101,16 @@ fn whole(root: &Node, blade: &mut BladeAero, has_degrees: bool, notes: &mut Note
     let orientation = orientation.and_then(Node::text).unwrap_or_default();
     let is_downwind = orientation.to_lowercase().starts_with("down");
     let side = if is_downwind { -1.0 } else { 1.0 };
-    blade.cone = of_hub("cone_angle").map(|cone| side * radians(cone));
+    let cone = of_hub("cone_angle").map(radians);
+    blade.cone = cone.map(|cone| side * cone);
+    if let Some(cone) = cone.filter(|cone| cone.abs() > LARGEST_CONE) {
+        let found = format!("{:.4} deg", cone.to_degrees());
+        let (expected, help) = (
+            "at most 30 deg",
+            "angles are in rad in version 1 and in deg in version 2",
+        );
+        notes.wrong(0, ["cone_angle of the hub", &found, expected, help]);
+    }
     let tilt = ["components", "nacelle", "drivetrain", "uptilt"];
     blade.tilt = number(&tilt, notes).map(radians);
 }
