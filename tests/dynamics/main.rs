@@ -34,6 +34,7 @@ mod free_flight;
 mod free_modes;
 mod heat;
 mod heavy_tips;
+mod helicopter;
 mod identification;
 mod in_the_air;
 mod in_time;
