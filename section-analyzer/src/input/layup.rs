@@ -46,7 +46,7 @@ pub use taper::Taper;
 pub(super) use keys::LAYUP_FILE;
 
 use constants::constants;
-use keys::{BLADE_NAME, EDGE, FILLS, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use keys::{BLADE_NAME, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
 
@@ -205,7 +205,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
         Shape::read(&document, table)
     });
     let (layers, webs) = layers_and_webs(&root, &known);
-    let fills = fills(&root, &known);
+    let fills = edge::fills(&root, &known);
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
     let size = root.nested(&MESH, |table| table.get(&SIZE));
     let line = root.nested(&LINE, line::read);
@@ -247,14 +247,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     }
     if let Some(layup) = layup.as_mut().filter(|_| has_names) {
         layup.remarks = layup.idle_places();
-        let problems = layup.wrong_places().into_iter();
-        let problems: Vec<_> = problems.chain(layup.idle_webs()).collect();
-        let swapped = match problems[..] {
-            [] => layup.swapped_layers(),
-            _ => Vec::new(),
-        };
-        for (line, problem) in problems.iter().chain(&swapped) {
-            document.note(*line, problem);
+        for (line, problem) in layup.wrong_ends() {
+            document.note(line, &problem);
         }
     }
     document.finish(layup)
@@ -274,14 +268,6 @@ fn layers_and_webs(
         layers.concat()
     });
     (layers, webs)
-}
-
-/// The adhesive at the trailing edge, and the other fills.
-fn fills(root: &Table<'_>, known: &Known) -> Option<Vec<WrittenFill>> {
-    let edge = root.nested(&EDGE, |table| edge::read(known, table));
-    let fills = root.each(&FILLS, |table| known.fill(table));
-    let (edge, fills) = (edge?, fills?);
-    Some(edge.flatten().into_iter().chain(fills).collect())
 }
 
 /// The outermost table of a layup file, with its units.

@@ -8,9 +8,8 @@ use crate::windio::read;
 
 /// Files of version 1 and 2.
 const FILES: [&str; 2] = ["windio1_iea15", "windio2_iea34"];
-/// Beginning of a layer, and the key of its thickness.
+/// Beginning of a layer.
 const LAYER: &str = "        - name: ";
-const THICKNESS: &str = "          thickness: ";
 
 fn text(name: &str) -> String {
     let folder = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR"));

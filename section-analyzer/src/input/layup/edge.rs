@@ -3,15 +3,23 @@
 use shared_geom::document::Table;
 
 use super::fills::{FillBound, WrittenFill};
-use super::keys::{CLOSE, EDGE_BOND, TO_LINE};
+use super::keys::{CLOSE, EDGE, EDGE_BOND, FILLS, TO_LINE};
 use super::layers::{Known, range};
 use crate::mesh::generate::layup::LayupProblem;
 
 /// The name of the fill.
 pub(super) const NAME: &str = "trailing_edge_bond";
 
+/// The adhesive at the trailing edge, and the other fills; notes problems.
+pub(super) fn fills(root: &Table<'_>, known: &Known) -> Option<Vec<WrittenFill>> {
+    let edge = root.nested(&EDGE, |table| read(known, table));
+    let fills = root.each(&FILLS, |table| known.fill(table));
+    let (edge, fills) = (edge?, fills?);
+    Some(edge.flatten().into_iter().chain(fills).collect())
+}
+
 /// The fill of the trailing edge, if there is one; notes problems.
-pub(super) fn read(known: &Known, table: &Table<'_>) -> Option<Option<WrittenFill>> {
+fn read(known: &Known, table: &Table<'_>) -> Option<Option<WrittenFill>> {
     let close = table.get(&CLOSE);
     let fill = table.nested(&EDGE_BOND, |bond| {
         let (material, to) = (known.material(bond), bond.get(&TO_LINE));

@@ -11,6 +11,17 @@ const COMPARED: usize = 20;
 const LEAST: f64 = 5e-3;
 
 impl Layup {
+    /// Names of places that are wrong, webs without a use, and if all are right swapped ends of layers,
+    /// with their lines.
+    pub(super) fn wrong_ends(&self) -> Vec<Located> {
+        let mut problems = self.wrong_places();
+        problems.extend(self.idle_webs());
+        match problems[..] {
+            [] => self.swapped_layers(),
+            _ => problems,
+        }
+    }
+
     /// Layers that end before they start at all positions along the span at which they are, with
     /// their lines.
     pub(super) fn swapped_layers(&self) -> Vec<Located> {

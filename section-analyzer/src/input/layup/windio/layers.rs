@@ -113,12 +113,8 @@ fn parts<'n>(
         let found = web.text().unwrap_or_default();
         if !names.contains(&found) {
             let expected = ["the name of a web", &names.join("\n")];
-            notes.unknown(
-                web.line,
-                &format!("web of layer \"{name}\""),
-                found,
-                expected,
-            );
+            let of = format!("web of layer \"{name}\"");
+            notes.unknown(web.line, &of, found, expected);
         }
         let of_web = webs.iter_mut().find(|web| web.name == found);
         match (read, of_web) {
