@@ -121,7 +121,7 @@ impl StallDelay {
 }
 
 /// The ratio c/r at which the factor of Du and Selig is largest, from the zero of its derivative, beyond which
-/// chords are those of roots:
+/// lie the chords of roots:
 ///
 /// ```text
 /// d/dc [c (1 - c^p)/(1 + c^p)] = 0 ,     c^p = sqrt(p^2 + 1) - p

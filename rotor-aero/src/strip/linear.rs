@@ -136,6 +136,20 @@ fn slopes<const N: usize>(of: &DualSVec64<N>) -> [f64; N] {
     of.eps.0.map_or([0.0; N], Into::into)
 }
 
+/// The flow of an annulus of its variables.
+fn ring_flow<const N: usize>(of: &[DualSVec64<N>; N]) -> RingFlow<DualSVec64<N>> {
+    RingFlow {
+        ambient: Ambient {
+            axial: of[0],
+            rotation: of[1],
+            skew: DualSVec64::from_re(0.0),
+        },
+        radii: [of[2], of[3]],
+        force: [of[4], of[5]],
+        local: of[6],
+    }
+}
+
 impl Strip {
     /// Loads and rows with derivatives.
     pub(super) fn by_parts(&self, air: ActingAir<'_>, at: &Numbers<'_>) -> StripJacobian {
@@ -321,23 +335,21 @@ impl Strip {
         let radii = [at.flow[RADIUS], at.flow[RADIUS + 1]];
         // The steady state has its own velocity, and all others the first unknown of the strip.
         let local = if first < LAGGED { 0 } else { first };
-        numbers[..OF_RING - 1]
-            .copy_from_slice(&[axial, rotation, radii[0], radii[1], force[0], force[1]]);
-        numbers[OF_RING - 1] = at.states[local];
+        let [radius, tip] = radii;
+        let of_flow = [
+            axial,
+            rotation,
+            radius,
+            tip,
+            force[0],
+            force[1],
+            at.states[local],
+        ];
+        numbers[..OF_RING].copy_from_slice(&of_flow);
         numbers[OF_RING..OF_RING + count].copy_from_slice(&at.states[first..first + count]);
         numbers[OF_RING + count..].copy_from_slice(&at.rates[first..first + of_rates]);
         let of = variables(numbers);
-        let ring_flow = RingFlow {
-            ambient: Ambient {
-                axial: of[0],
-                rotation: of[1],
-                skew: DualSVec64::from_re(0.0),
-            },
-            radii: [of[2], of[3]],
-            force: [of[4], of[5]],
-            local: of[6],
-        };
-        let ring = Ring::new(inflow, air.still.density, ring_flow);
+        let ring = Ring::new(inflow, air.still.density, ring_flow(&of));
         let (induced, rates) = of[OF_RING..].split_at(count);
         let mut rows = [DualSVec64::<N>::from_re(0.0); LAGGED];
         let written = count.min(LAGGED);

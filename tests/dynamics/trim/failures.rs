@@ -29,7 +29,7 @@ const METHODS: [&str; 3] = [
 ];
 
 // Targets that are met without determining the controls: one that no control changes and that has its value
-// already, and one that is asked for twice.
+// already, and one that is requested twice.
 #[test]
 fn targets_that_are_met_by_any_control_are_refused() {
     for method in METHODS {

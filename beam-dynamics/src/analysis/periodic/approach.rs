@@ -75,6 +75,16 @@ pub(super) fn approach(
         }
     }
     state.copy_from(&met.state);
+    Err(limited(shooting, first, &met, passes))
+}
+
+/// The failure of a search that ended at a motion on its way.
+fn limited(
+    shooting: &Shooting<'_>,
+    first: PeriodicFailure,
+    met: &Orbit,
+    passes: &mut Passes<'_>,
+) -> PeriodicFailure {
     let reached = shooting.border.reached(&met.end);
     // The last pass is of this motion, whose controls and means are reported.
     let errors = shooting.border.errors(&reached).into_iter();
@@ -85,12 +95,12 @@ pub(super) fn approach(
         part: 0.0,
         reached: reached.clone(),
     });
-    Err(PeriodicFailure::Limited {
+    PeriodicFailure::Limited {
         first: Box::new(first),
         reached: shooting.border.differences(&reached, NOT_MET),
         controls: shooting.border.written(&met.state),
         stall: String::new(),
-    })
+    }
 }
 
 /// Whether the search failed on its way, not by its equations.

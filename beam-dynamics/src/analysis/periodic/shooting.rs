@@ -143,9 +143,8 @@ impl Shooting<'_> {
                 reached: self.border.reached(&end),
             });
             if part <= self.settings.tolerance {
-                self.check_determined(&map, &rows)?;
                 let state = state.clone();
-                return Ok(Orbit { state, end, map });
+                return self.determined(Orbit { state, end, map }, &rows);
             }
             let map = last.insert(map);
             if iterations >= self.settings.iterations || !part.is_finite() {
@@ -296,9 +295,9 @@ impl Shooting<'_> {
         }
     }
 
-    /// Checks that the controls of a motion that has its targets determine them: targets that depend on each
+    /// A motion that has its targets, if its controls determine them: targets that depend on each
     /// other are met by any of many controls. Any other targets are reached by a correction if they do.
-    fn check_determined(&self, map: &PeriodMap, rows: &[f64]) -> Result<(), PeriodicFailure> {
+    fn determined(&self, orbit: Orbit, rows: &[f64]) -> Result<Orbit, PeriodicFailure> {
         let mut other = vec![0.0; rows.len()];
         let targets = self.border.target_rows();
         for (number, row) in targets.iter().enumerate() {
@@ -306,15 +305,17 @@ impl Shooting<'_> {
             other[*row] = rows[*row] * (1.0 + 0.618 * number as f64).sin();
         }
         if targets.is_empty() {
-            return Ok(());
+            return Ok(orbit);
         }
-        let found = self.correction(map, &other, rows);
+        let found = self.correction(&orbit.map, &other, rows);
         if found.is_some_and(|found| found.residual < SINGULAR) {
-            return Ok(());
+            return Ok(orbit);
         }
-        let response = self.response(map);
+        let response = self.response(&orbit.map);
         let idle = response.and_then(|found| self.border.idle(&found, effects::BY_PRODUCTS));
-        idle.map_or(Ok(()), |reason| Err(PeriodicFailure::Singular { reason }))
+        idle.map_or(Ok(orbit), |reason| {
+            Err(PeriodicFailure::Singular { reason })
+        })
     }
 
     /// The change of the means in the periodic motion by each control of unit size.

@@ -1,6 +1,6 @@
 //! The rotor: `[rotor]`.
 
-use rotor_aero::airfoil::Section;
+use rotor_aero::airfoil::{RotorStallDelay, Section};
 use rotor_aero::rotor::{Machine, RigidRotor, Station};
 use shared_geom::document::schema::ValueKind::{
     Count, NotNegative, Positive, Quantity, Tables, Word,
@@ -120,21 +120,12 @@ pub(super) fn read(
         let (key, example) = (BLADES.name(), "blades = 3");
         table.note("", &PerformanceProblem::Missing { key, example });
     }
+    remarks.extend(blade.tilt.and_then(|tilt| remark_on_tilt(table, tilt)));
     let [hub_radius, tip_radius] = radii(table, ends, (&mut blade, remarks))?;
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
     let precone = precone?.or(blade.cone).unwrap_or_default();
     let hub_height = hub_height?;
-    if let Some(of_file) = blade
-        .tilt
-        .filter(|of_file| *of_file != 0.0 && !table.has(&TILT))
-    {
-        let shown = short_number(of_file.to_degrees(), 4);
-        remarks.push(format!(
-            "[rotor]: the shaft of the file of the blade has a tilt of {shown} deg, which is not used: give \
-             \"tilt\" if it counts"
-        ));
-    }
     let flow = Flow {
         precone,
         is_axial: tilt == 0.0 && yaw == 0.0 && shear == 0.0,
@@ -160,34 +151,46 @@ pub(super) fn read(
         skewed_wake: momentum.skewed_wake,
         sectors,
     };
-    let delay = delay?;
-    if let Some(delay) = &delay {
-        let sections = rotor.stations.iter().map(|station| &station.section);
-        rotor_delay::check((table, delay), sections, "[rotor]", remarks)?;
-    }
-    let rotor = with_panels(rotor, panels?, table)?;
     Some(Rotor {
         machine,
         shear,
         holds_mach: outside? == 1,
-        rotor: match delay {
-            Some(delay) => rotor.with_stall_delay(&delay),
-            None => rotor,
-        },
+        rotor: with_panels(rotor, (panels?, delay?), table, remarks)?,
     })
 }
 
-/// The rotor with a number of panels, if it is to have them.
+/// A remark on a tilt of the shaft of a file, which is not used.
+fn remark_on_tilt(table: &Table<'_>, tilt: f64) -> Option<String> {
+    let is_unused = tilt != 0.0 && !table.has(&TILT);
+    is_unused.then(|| {
+        let shown = short_number(tilt.to_degrees(), 4);
+        format!(
+            "[rotor]: the shaft of the file of the blade has a tilt of {shown} deg, which is not used: give \
+             \"tilt\" if it counts"
+        )
+    })
+}
+
+/// The rotor with a number of panels and with delayed stall, if it is to have them.
 fn with_panels(
     rotor: RigidRotor<Section>,
-    panels: Option<usize>,
+    (panels, delay): (Option<usize>, Option<RotorStallDelay>),
     table: &Table<'_>,
+    remarks: &mut Vec<String>,
 ) -> Option<RigidRotor<Section>> {
+    if let Some(delay) = &delay {
+        let sections = rotor.stations.iter().map(|station| &station.section);
+        rotor_delay::check((table, delay), sections, "[rotor]", remarks)?;
+    }
     let found = match panels {
         Some(count) => rotor.with_panels(count),
         None => Ok(rotor),
     };
-    found.map_err(|problem| table.note("", &problem)).ok()
+    let rotor = found.map_err(|problem| table.note("", &problem)).ok()?;
+    Some(match delay {
+        Some(delay) => rotor.with_stall_delay(&delay),
+        None => rotor,
+    })
 }
 
 /// The signs of a kind of machine.
