@@ -33,7 +33,7 @@ const STALL: f64 = PI / 9.0;
 const NEAR_STALL: [f64; 2] = [-PI / 12.0, PI / 9.0];
 
 /// Least step of missing rows \[rad\], and in steps around it \[-\].
-const SKIPPED: [f64; 2] = [PI / 36.0, 4.0];
+const SKIPPED: [f64; 2] = [PI / 32.0, 4.0];
 
 /// Problems and remarks of a table.
 #[derive(Debug, Default)]

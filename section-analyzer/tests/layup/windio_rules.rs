@@ -220,7 +220,7 @@ fn a_layer_through_the_trailing_edge_is_two() {
 /// ends of other layers, is an error that names it.
 #[test]
 fn swapped_ends_are_refused() {
-    let swapped = [[0.71, 0.29], [0.4, 0.2], [0.9, 0.8]];
+    let swapped = [[0.71, 0.29], [0.4, 0.2], [0.9, 0.8], [1.0, 0.0]];
     for [from, to] in swapped {
         let lines = flat(&[("start_nd_arc", from), ("end_nd_arc", to)]);
         let problem = read(&version_1(&lines)).expect_err("swapped ends");
@@ -246,6 +246,20 @@ fn swapped_ends_are_refused() {
         problem.contains("layer \"cap\" at eta 0.1 starts at arc 0.24"),
         "{problem}"
     );
+}
+
+/// A handle that no anchor has was treated as the end.
+#[test]
+fn unknown_handles_are_refused() {
+    let (_, text) = tube();
+    for wrong in ["startt_nd_arc", "start", "nd_arc"] {
+        let turned = text.replacen("handle: start_nd_arc", &format!("handle: {wrong}"), 1);
+        assert_ne!(turned, text);
+        let problem = read(&turned).expect_err("unknown handle");
+        for words in [format!("\"{wrong}\""), "a handle of an anchor".to_owned()] {
+            assert!(problem.contains(&words), "{words}: {problem}");
+        }
+    }
 }
 
 /// Round-off below zero is zero, and reported; other negative thicknesses are errors.

@@ -1,5 +1,6 @@
 //! Airfoils by name: `[airfoils.NAME]`.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use rotor_aero::airfoil::{
@@ -43,6 +44,8 @@ keys! {
 #[derive(Debug, Clone, Default)]
 pub(in crate::input) struct Airfoils {
     named: Vec<(String, Option<Arc<Airfoil>>)>,
+    /// Unknown names that are noted.
+    unknown: RefCell<Vec<String>>,
     /// Remarks on tables.
     pub remarks: Vec<String>,
 }
@@ -224,7 +227,7 @@ impl Airfoils {
     }
 
     /// The section of the airfoil `name`, as named under a key of a table, described by `user`;
-    /// `None` if it is wrong, or unknown, which is noted.
+    /// `None` if it is wrong, or unknown, which is noted at its first use.
     pub fn find(
         &self,
         name: &str,
@@ -237,6 +240,10 @@ impl Airfoils {
         if let Some(found) = built_in(name) {
             return Some(Section::single(Arc::new(found)));
         }
+        if self.unknown.borrow().iter().any(|unknown| unknown == name) {
+            return None;
+        }
+        self.unknown.borrow_mut().push(name.to_owned());
         let own = self.named.iter().map(|named| named.0.clone());
         let built_in = BUILT_IN.iter().map(|one| one.name.to_owned());
         let problem = StripProblem::Unknown {

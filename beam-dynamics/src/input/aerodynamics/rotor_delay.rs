@@ -38,7 +38,8 @@ pub(in crate::input) fn read(table: &Table<'_>) -> Option<Option<RotorStallDelay
     inner.finish();
     let (law, speed, to) = (law?, speed?, to?);
     let most = [(&SPEED_RATIO.schema, speed), (&TO.schema, Some(to))];
-    for (key, _) in most.iter().filter(|it| it.1.is_some_and(|x| x > 1.0)) {
+    let is_beyond = |it: &&(_, Option<f64>)| it.1.is_some_and(|part| part > 1.0);
+    if let Some((key, _)) = most.iter().find(is_beyond) {
         inner.wrong(key.name, "at most 1");
         return None;
     }
@@ -146,12 +147,12 @@ mod tests {
             (
                 ["thin", "own"],
                 "",
-                "\"stall_delay\" has no effect on \"linear lift\", \"own\"",
+                "\"stall_delay\" has no effect on \"linear lift\", \"NACA 0012\"",
             ),
             (
                 ["naca0012", "own"],
                 "",
-                "blade \"b\": \"stall_delay\" has no effect on \"own\"",
+                "blade \"b\": \"stall_delay\" has no effect on \"NACA 0012\"",
             ),
         ] {
             let found = shown(airfoils, &format!("stall_delay = {{ {line} }}"));

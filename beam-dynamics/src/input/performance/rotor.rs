@@ -105,14 +105,12 @@ pub(super) fn read(
     let machine = table.get(&MACHINE).map(kind);
     let (blades, sectors) = (table.get(&BLADES), table.get(&SECTORS));
     let ends = (table.get(&HUB_RADIUS), table.get(&TIP_RADIUS));
-    let (precone, angles) = (table.get(&PRECONE), [&TILT, &YAW].map(|key| table.get(key)));
+    let (precone, tilt, yaw) = (table.get(&PRECONE), table.get(&TILT), table.get(&YAW));
     let (hub_height, shear) = (table.get(&HUB_HEIGHT), table.get(&SHEAR));
     let outside = table.get(&OUTSIDE_MACH);
-    let panels = panels(table);
-    let delay = rotor_delay::read(table);
+    let (panels, delay) = (panels(table), rotor_delay::read(table));
     let blade = blade(table, (machine.unwrap_or_default(), airfoils), remarks);
     table.finish();
-    let [tilt, yaw] = angles;
     let (ends, blades) = ((ends.0?, ends.1?), blades?);
     let mut blade = blade?;
     let count = blades.or(blade.blades);
@@ -125,7 +123,7 @@ pub(super) fn read(
     let (machine, momentum) = (machine?, momentum?);
     let (tilt, yaw, shear) = (tilt?, yaw?, shear?);
     let precone = precone?.or(blade.cone).unwrap_or_default();
-    let hub_height = hub_height?;
+    let (hub_height, panels) = (hub_height?, (panels?, delay?));
     let flow = Flow {
         precone,
         is_axial: tilt == 0.0 && yaw == 0.0 && shear == 0.0,
@@ -155,7 +153,7 @@ pub(super) fn read(
         machine,
         shear,
         holds_mach: outside? == 1,
-        rotor: with_panels(rotor, (panels?, delay?), table, remarks)?,
+        rotor: with_panels(rotor, panels, table, remarks)?,
     })
 }
 

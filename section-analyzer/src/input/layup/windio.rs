@@ -217,7 +217,9 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
             else {
                 continue;
             };
-            let difference = (used[0] - other[0]).abs() * used[1];
+            // The shorter way, which may be over the trailing edge.
+            let apart = (used[0] - other[0]).abs();
+            let difference = apart.min((1.0 - apart).abs()) * used[1];
             if difference > worst.0 {
                 let values = format!(
                     "{:.4} by {}, {:.4} by {} at eta {eta}",

@@ -68,7 +68,11 @@ fn wrapped([start, end]: [Place; 2], what: &str, line: usize, notes: &mut Notes)
     }
     let is_wrong =
         |eta: f64, arc: f64| arc > 1.0 - ROUND_OFF && to.at(eta) < 1.0 - 100.0 * ROUND_OFF;
-    if !from.points().any(|(eta, arc)| is_wrong(eta, arc)) {
+    // From 1 to 0 everywhere are swapped ends.
+    let is_swapped = from
+        .points()
+        .all(|(eta, arc)| is_wrong(eta, arc) && to.at(eta) < ROUND_OFF);
+    if is_swapped || !from.points().any(|(eta, arc)| is_wrong(eta, arc)) {
         return [start, end];
     }
     notes.remarks.push(format!(

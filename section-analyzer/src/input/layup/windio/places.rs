@@ -14,6 +14,8 @@ use super::{Notes, course, items, word};
 pub(super) const START: &str = "start_nd_arc";
 pub(super) const END: &str = "end_nd_arc";
 pub(super) const MIDDLE: &str = "midpoint_nd_arc";
+/// Places of an anchor to which others refer.
+const HANDLES: [&str; 3] = [START, END, MIDDLE];
 /// Rules of anchors beside their arcs.
 pub(super) const RULES: [&str; 4] = ["offset_arc", "offset_nd_arc", "plane_intersection", "width"];
 /// Round-off of arcs [-].
@@ -119,6 +121,11 @@ impl<'n> Places<'n> {
             notes.unknown(reference.line, what, name, expected);
             return None;
         };
+        if !HANDLES.contains(&handle) {
+            let expected = ["a handle of an anchor", &HANDLES.join("\n")];
+            notes.unknown(reference.line, &of, handle, expected);
+            return None;
+        }
         self.handle(anchor, (name, handle), path, notes)
     }
 

@@ -6,7 +6,7 @@ use super::super::course::Course;
 use super::super::place::{Place, PlaceForm, SIDES};
 use super::super::resolve::ABSENT;
 use super::super::{Layup, WrittenLayer};
-use super::places::{MIDDLE, is_padding};
+use super::places::{MIDDLE, ROUND_OFF, is_padding};
 
 /// Largest part of the contour of a layer that goes through the trailing edge although its file does
 /// not state its middle.
@@ -35,7 +35,11 @@ fn is_through(layer: &WrittenLayer, at_edge: bool) -> bool {
         let (from, to) = (from.at(*eta), to.at(*eta));
         from > to && (at_edge || (from > 0.5 && to < 0.5 && 1.0 - from + to < WIDEST))
     };
-    places.peek().is_some() && places.all(crosses)
+    // A width beside a middle is a shift of the ends.
+    let is_shifted = layer.from.shift.points().any(|(_, shift)| shift != 0.0);
+    let has_width = |eta: &f64| is_shifted || 1.0 - from.at(*eta) + to.at(*eta) > ROUND_OFF;
+    let mut wide = all.iter().filter(|eta| is_there(eta));
+    places.peek().is_some() && places.all(crosses) && wide.any(has_width)
 }
 
 /// A layer, or both parts of one through the trailing edge, the part of the suction side first, with
