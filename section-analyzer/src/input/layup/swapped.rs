@@ -1,8 +1,10 @@
 //! Layers whose ends are swapped.
 
-use super::Layup;
+use super::course::Course;
+use super::place::{Place, PlaceForm};
 use super::problem::{LayupFileProblem, Located};
-use super::resolve::Resolver;
+use super::resolve::{ABSENT, Resolver};
+use super::{Layup, WrittenLayer};
 
 /// Positions along the span at which ends of layers are compared.
 const COMPARED: usize = 20;
@@ -25,17 +27,33 @@ impl Layup {
     /// Layers that end before they start at all positions along the span at which they are, with
     /// their lines.
     pub(super) fn swapped_layers(&self) -> Vec<Located> {
-        let etas = (0..=COMPARED).map(|i| i as f64 / COMPARED as f64);
-        let resolvers = etas.filter_map(|eta| Some((eta, Resolver::new(self, eta).ok()?)));
+        let etas: Vec<f64> = (0..=COMPARED).map(|i| i as f64 / COMPARED as f64).collect();
+        let is_any = self.layers.iter().any(|layer| plain(layer).is_none());
+        let resolvers = etas.iter().filter(|_| is_any);
+        let resolvers = resolvers.filter_map(|eta| Some((*eta, Resolver::new(self, *eta).ok()?)));
         let resolvers: Vec<(f64, Resolver<'_>)> = resolvers.collect();
         let mut problems = Vec::new();
         for layer in &self.layers {
-            let there = resolvers.iter().filter(|(_, resolver)| resolver.has(layer));
-            let arcs = there.filter_map(|(eta, resolver)| {
-                let [from, to] = [&layer.from, &layer.to].map(|place| resolver.place(place));
-                Some((*eta, [from?[0], to?[0]]))
-            });
-            let arcs: Vec<(f64, [f64; 2])> = arcs.collect();
+            let arcs: Vec<(f64, [f64; 2])> = match plain(layer) {
+                Some(courses) => {
+                    let thickness = &layer.thickness;
+                    let is_there =
+                        |eta: &&f64| thickness.covers(**eta) && thickness.at(**eta) > ABSENT;
+                    let there = etas.iter().filter(is_there);
+                    there
+                        .map(|eta| (*eta, courses.map(|course| course.at(*eta))))
+                        .collect()
+                }
+                None => {
+                    let there = resolvers.iter().filter(|(_, resolver)| resolver.has(layer));
+                    let arcs = there.filter_map(|(eta, resolver)| {
+                        let [from, to] =
+                            [&layer.from, &layer.to].map(|place| resolver.place(place));
+                        Some((*eta, [from?[0], to?[0]]))
+                    });
+                    arcs.collect()
+                }
+            };
             let is_swapped = |(_, [from, to]): &(f64, [f64; 2])| from - to > LEAST;
             if let Some((eta, arcs)) = arcs.first().filter(|_| arcs.iter().all(is_swapped)) {
                 let problem = LayupFileProblem::Swapped {
@@ -47,5 +65,18 @@ impl Layup {
             }
         }
         problems
+    }
+}
+
+/// The arcs of a layer whose places need no contour.
+fn plain(layer: &WrittenLayer) -> Option<[&Course; 2]> {
+    let is_shifted = |place: &Place| place.shift.points().any(|(_, shift)| shift != 0.0);
+    match [&layer.from.form, &layer.to.form] {
+        [PlaceForm::Arc(from), PlaceForm::Arc(to)]
+            if ![&layer.from, &layer.to].into_iter().any(is_shifted) =>
+        {
+            Some([from, to])
+        }
+        _ => None,
     }
 }
