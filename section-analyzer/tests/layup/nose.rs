@@ -180,7 +180,7 @@ fn thick_nose(seed: u64) -> LayupSection {
 /// layers of both sides meet, and layers whose steep end is at the end of the contact.
 #[test]
 fn random_thick_noses_are_meshed() {
-    let count = effort::cases(60);
+    let count = effort::cases(100);
     let (mut refused, mut cut) = (Vec::new(), 0);
     for seed in 0..count as u64 {
         match thick_nose(seed).generate() {
