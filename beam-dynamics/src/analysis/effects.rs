@@ -20,7 +20,7 @@ const TAKES_PART: f64 = 0.3;
 
 /// A response with rows and columns of largest entry one, where there are others than zeros: without the
 /// units of controls and targets.
-pub(super) fn balanced(mut response: DMatrix<f64>) -> DMatrix<f64> {
+fn balanced(mut response: DMatrix<f64>) -> DMatrix<f64> {
     for mut row in response.row_iter_mut() {
         let largest = row.amax();
         if largest > 0.0 {
@@ -83,6 +83,16 @@ pub(super) fn idle(
         controls.get(control)?.name,
         targets.get(target)?.name
     ))
+}
+
+/// The same, if the response without the units of controls and targets does not determine them either.
+pub(super) fn idle_in_any_units(
+    (response, errors): (DMatrix<f64>, f64),
+    controls: &[TrimControl],
+    targets: &[TrimTarget],
+) -> Option<String> {
+    let reason = idle((&response, errors), controls, targets)?;
+    idle((&balanced(response), errors), controls, targets).map(|_| reason)
 }
 
 #[cfg(test)]

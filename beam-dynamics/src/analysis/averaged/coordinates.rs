@@ -96,18 +96,14 @@ impl Coordinates {
         }
         let root = |blade: &&BladeNodes| blade.nodes.first().map(|node| model.naming[*node].blade);
         let blades: Vec<_> = order.iter().filter_map(root).collect();
-        let step = blades.first().zip(blades.get(1));
-        let turn = step.map(|(a, b)| vector::from_rotation(&(b * a.transpose())));
-        if turn.is_none_or(|turn| turn.norm() == 0.0) {
-            return Err(NoCoordinates("the blades are not around an axis"));
-        }
         let pairs = blades.iter().zip(blades.iter().cycle().skip(1));
-        let turns = pairs.map(|(a, b)| b * a.transpose());
-        let differs = |other: Matrix3<f64>| {
-            let turn = turn.map(|turn| vector::to_rotation(&turn));
-            turn.is_none_or(|turn| (other - turn).amax() > EQUAL)
+        let turns: Vec<_> = pairs.map(|(a, b)| b * a.transpose()).collect();
+        let turn = turns.first();
+        let turn = turn.filter(|turn| vector::from_rotation(turn).norm() != 0.0);
+        let Some(turn) = turn else {
+            return Err(NoCoordinates("the blades are not around an axis"));
         };
-        if turns.into_iter().any(differs) {
+        if turns.iter().any(|other| (other - turn).amax() > EQUAL) {
             return Err(NoCoordinates(
                 "the blades are not at equal angles around one axis, as the ones of several rotors",
             ));

@@ -240,6 +240,11 @@ impl Border {
         effects::idle((response, errors), &self.of_controls, &self.of_targets)
     }
 
+    /// The same, in whatever units controls and targets are.
+    pub fn idle_in_any_units(&self, response: DMatrix<f64>, errors: f64) -> Option<String> {
+        effects::idle_in_any_units((response, errors), &self.of_controls, &self.of_targets)
+    }
+
     /// Number of controls.
     pub fn count(&self) -> usize {
         self.controls.len()

@@ -202,15 +202,15 @@ impl<'a> Flow<'a> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use nalgebra::Vector3;
     use shared_geom::rotation::vector;
 
     use super::*;
     use crate::analysis::transient::start;
 
-    /// A body on a hinge across a turning shaft, for one step of a revolution in 64.
-    const HOOP: &str = "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n\
+    /// A body on a hinge across a turning shaft.
+    pub(in crate::analysis::periodic) const HOOP: &str = "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n\
         [[node]]\nname = \"shaft\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, 5]\n\
         [[node]]\nname = \"arm\"\nposition = [0.65, 0, -0.46]\norientation = [0, -0.95, 0]\n\
         velocity = [0, 3.25, 0]\nangular_velocity = [0, 0, 5]\n\
@@ -219,8 +219,9 @@ mod tests {
         [[joint]]\nname = \"hinge\"\nkind = \"revolute\"\nnodes = [\"shaft\", \"arm\"]\n\
         at = [0, 0, 0]\naxis = [0, 1, 0]\n\
         [[joint]]\nname = \"bearing\"\nkind = \"revolute\"\nnodes = [\"shaft\"]\naxis = [0, 0, 1]\n\
-        [gravity]\nacceleration = [0, 0, -9.81]\n\
-        [periodic]\nperiod = 0.019634954\nsteps = 8\n";
+        [gravity]\nacceleration = [0, 0, -9.81]\n";
+    /// One step of a revolution in 64.
+    const STEP: &str = "[periodic]\nperiod = 0.019634954\nsteps = 8\n";
 
     /// Changes of the nodes from one state to another, in the order of their unknowns.
     fn difference(from: &State, to: &State) -> Vec<f64> {
@@ -243,7 +244,8 @@ mod tests {
     #[test]
     fn the_map_of_a_step_is_its_derivative() {
         const SMALL: f64 = 2e-3;
-        let input = crate::input::parse(HOOP, "hoop.dynamics.toml").unwrap();
+        let text = format!("{HOOP}{STEP}");
+        let input = crate::input::parse(&text, "hoop.dynamics.toml").unwrap();
         let settings = input.periodic.as_ref().unwrap();
         let model = &input.model;
         let state = start(model, &settings.start).unwrap().state;

@@ -104,10 +104,7 @@ impl Shooting<'_> {
                     | PeriodicFailure::Unreached { .. }
                     | PeriodicFailure::Bound { .. }
             );
-            let response = last
-                .filter(|_| is_search)
-                .and_then(|map| self.response(&map));
-            let idle = response.and_then(|found| self.border.idle(&found, effects::BY_PRODUCTS));
+            let idle = last.filter(|_| is_search).and_then(|map| self.idle(&map));
             idle.map_or(failure, |reason| PeriodicFailure::Singular { reason })
         })
     }
@@ -273,9 +270,9 @@ impl Shooting<'_> {
     /// The reason of a singular correction: a control that does not act, or the motion that does not
     /// repeat.
     fn singular(&self, map: &PeriodMap, name: String) -> PeriodicFailure {
-        let response = self.response(map);
-        let idle = response.and_then(|response| self.border.idle(&response, effects::BY_PRODUCTS));
-        let reason = idle.unwrap_or_else(|| format!("nothing determines {name}"));
+        let reason = self
+            .idle(map)
+            .unwrap_or_else(|| format!("nothing determines {name}"));
         PeriodicFailure::Singular { reason }
     }
 
@@ -283,13 +280,11 @@ impl Shooting<'_> {
     /// them is large.
     fn check_controls(&self, map: &PeriodMap, d: &[f64]) -> Result<(), PeriodicFailure> {
         let is_large = self.border.is_suspicious(d);
-        let Some(response) = is_large.then(|| self.response(map)).flatten() else {
+        let Some(response) = is_large.then(|| self.responses(map)).flatten() else {
             return Ok(());
         };
         let errors = effects::BY_PRODUCTS;
-        let reason = self.border.idle(&response, errors);
-        let balanced = self.border.idle(&effects::balanced(response), errors);
-        match reason.filter(|_| balanced.is_some()) {
+        match self.border.idle_in_any_units(response.means, errors) {
             Some(reason) => Err(PeriodicFailure::Singular { reason }),
             None => Ok(()),
         }
@@ -316,16 +311,16 @@ impl Shooting<'_> {
         if found.is_some_and(is_regular) {
             return Ok(orbit);
         }
-        let response = self.response(&orbit.map);
-        let idle = response.and_then(|found| self.border.idle(&found, effects::BY_PRODUCTS));
-        idle.map_or(Ok(orbit), |reason| {
-            Err(PeriodicFailure::Singular { reason })
-        })
+        match self.idle(&orbit.map) {
+            Some(reason) => Err(PeriodicFailure::Singular { reason }),
+            None => Ok(orbit),
+        }
     }
 
-    /// The change of the means in the periodic motion by each control of unit size.
-    fn response(&self, map: &PeriodMap) -> Option<DMatrix<f64>> {
-        Some(self.responses(map)?.means)
+    /// Why the controls do not determine the targets near a motion; `None` if they do.
+    fn idle(&self, map: &PeriodMap) -> Option<String> {
+        let response = self.responses(map)?.means;
+        self.border.idle(&response, effects::BY_PRODUCTS)
     }
 
     /// The changes of the means and of the first state in the periodic motion by the controls.
@@ -397,23 +392,14 @@ fn end_rates(state: State, end: &State) -> State {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::periodic::flow::tests::HOOP;
     use crate::analysis::periodic::{algebraic, sizes};
     use crate::analysis::transient::start;
 
-    /// A body on a hinge across a turning shaft of drag that a torque drives; the target is the azimuth.
-    const HOOP: &str = "[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n\
-        [[node]]\nname = \"shaft\"\nposition = [0, 0, 0]\nangular_velocity = [0, 0, 5]\n\
-        [[node]]\nname = \"arm\"\nposition = [0.65, 0, -0.46]\norientation = [0, -0.95, 0]\n\
-        velocity = [0, 3.25, 0]\nangular_velocity = [0, 0, 5]\n\
-        [[body]]\nname = \"shaft\"\nnode = \"shaft\"\nmass = 1\ninertia = [1, 1, 2]\n\
-        [[body]]\nname = \"arm\"\nnode = \"arm\"\nmass = 1.5\ninertia = [0.14, 0.24, 0.2]\n\
-        [[joint]]\nname = \"hinge\"\nkind = \"revolute\"\nnodes = [\"shaft\", \"arm\"]\n\
-        at = [0, 0, 0]\naxis = [0, 1, 0]\n\
-        [[joint]]\nname = \"bearing\"\nkind = \"revolute\"\nnodes = [\"shaft\"]\naxis = [0, 0, 1]\n\
-        [[spring]]\nname = \"drag\"\nnode = \"shaft\"\nrotational_damping = [0, 0, 0.3]\n\
+    /// A drag of the shaft and a torque that drives it; the target is the azimuth.
+    const DRIVEN: &str = "[[spring]]\nname = \"drag\"\nnode = \"shaft\"\nrotational_damping = [0, 0, 0.3]\n\
         [[load]]\nnode = \"shaft\"\nmoment = [0, 0, 1]\ndrive = \"= torque\"\n\
         [sensors.side]\nquantity = \"position\"\nof = \"arm\"\ncomponent = \"y\"\nunit = \"m\"\n\
-        [gravity]\nacceleration = [0, 0, -9.81]\n\
         [periodic]\nperiod = 1.2566370614359172\n\
         [[trim.control]]\nname = \"torque\"\nguess = 1.5\n\
         [[trim.target]]\nname = \"azimuth\"\nsignal = \"= 2*side*cos(5*t)\"\nvalue = 0\n";
@@ -422,7 +408,8 @@ mod tests {
     // 130 of an independent program in its own sizes (`theory-periodic/hoop.json`); below 1e4 is required.
     #[test]
     fn a_free_azimuth_is_regular_with_its_torque() {
-        let input = crate::input::parse(HOOP, "hoop.dynamics.toml").unwrap();
+        let text = format!("{HOOP}{DRIVEN}");
+        let input = crate::input::parse(&text, "hoop.dynamics.toml").unwrap();
         let (model, settings) = (&input.model, input.periodic.as_ref().unwrap());
         let mut state = start(model, &settings.start).unwrap().state;
         let border = Border::new(model, settings).unwrap();

@@ -167,12 +167,8 @@ fn from_guesses(
 /// targets that depend on each other are met by any of many controls.
 fn undetermined(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<String> {
     let response = response(model, settings, balance)?;
-    let idle = |response: &_| {
-        let (controls, targets) = (&settings.controls, &settings.targets);
-        effects::idle((response, effects::EXACT), controls, targets)
-    };
-    let reason = idle(&response)?;
-    idle(&effects::balanced(response)).map(|_| reason)
+    let (controls, targets) = (&settings.controls, &settings.targets);
+    effects::idle_in_any_units((response, effects::EXACT), controls, targets)
 }
 
 /// The trim of a model in a frame at rest, from the undeformed model with first guesses of the controls and

@@ -209,9 +209,10 @@ impl Airfoils {
         self.named.iter().any(|named| named.0 == name)
     }
 
-    /// Names of the airfoils of the file.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.named.iter().map(|named| named.0.as_str())
+    /// Names of the airfoils of the file, and of the built-in ones.
+    pub fn known(&self) -> impl Iterator<Item = &str> {
+        let own = self.named.iter().map(|named| named.0.as_str());
+        own.chain(BUILT_IN.iter().map(|one| one.name))
     }
 
     /// Adds an airfoil, unless its name is known; `None` for a wrong one.
@@ -244,13 +245,11 @@ impl Airfoils {
             return None;
         }
         self.unknown.borrow_mut().push(name.to_owned());
-        let own = self.named.iter().map(|named| named.0.clone());
-        let built_in = BUILT_IN.iter().map(|one| one.name.to_owned());
         let problem = StripProblem::Unknown {
             kind: "airfoil",
             name: name.to_owned(),
             user: user.to_owned(),
-            known: own.chain(built_in).collect(),
+            known: self.known().map(str::to_owned).collect(),
         };
         table.note(key, &problem);
         None

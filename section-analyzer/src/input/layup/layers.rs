@@ -16,6 +16,15 @@ use super::{Toward, WrittenLayer, WrittenWeb};
 use crate::input::materials::WrittenMaterial;
 
 impl WrittenLayer {
+    /// Its thickness at a position along the span; 0 outside of its table \[m\].
+    pub(super) fn thickness_at(&self, eta: f64) -> f64 {
+        if self.thickness.covers(eta) {
+            self.thickness.at(eta)
+        } else {
+            0.0
+        }
+    }
+
     /// A layer with its name and material between two places: its fibers are along x, and it has
     /// neither a taper nor a profile nor a web.
     pub(super) fn plain(

@@ -162,12 +162,7 @@ impl<'a> Resolver<'a> {
 
     /// The thickness of a layer; 0 outside of its table.
     pub fn thickness(&self, layer: &WrittenLayer) -> f64 {
-        let is_there = layer.thickness.covers(self.eta);
-        if is_there {
-            layer.thickness.at(self.eta)
-        } else {
-            0.0
-        }
+        layer.thickness_at(self.eta)
     }
 
     /// Length of the contour.

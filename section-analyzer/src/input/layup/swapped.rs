@@ -36,10 +36,7 @@ impl Layup {
         for layer in &self.layers {
             let arcs: Vec<(f64, [f64; 2])> = match plain(layer) {
                 Some(courses) => {
-                    let thickness = &layer.thickness;
-                    let is_there =
-                        |eta: &&f64| thickness.covers(**eta) && thickness.at(**eta) > ABSENT;
-                    let there = etas.iter().filter(is_there);
+                    let there = etas.iter().filter(|eta| layer.thickness_at(**eta) > ABSENT);
                     there
                         .map(|eta| (*eta, courses.map(|course| course.at(*eta))))
                         .collect()
@@ -70,13 +67,13 @@ impl Layup {
 
 /// The arcs of a layer whose places need no contour.
 fn plain(layer: &WrittenLayer) -> Option<[&Course; 2]> {
-    let is_shifted = |place: &Place| place.shift.points().any(|(_, shift)| shift != 0.0);
-    match [&layer.from.form, &layer.to.form] {
-        [PlaceForm::Arc(from), PlaceForm::Arc(to)]
-            if ![&layer.from, &layer.to].into_iter().any(is_shifted) =>
-        {
-            Some([from, to])
-        }
+    Some([arc(&layer.from)?, arc(&layer.to)?])
+}
+
+/// The arc of a place without a shift.
+fn arc(place: &Place) -> Option<&Course> {
+    match &place.form {
+        PlaceForm::Arc(arc) if place.shift.is_zero() => Some(arc),
         _ => None,
     }
 }

@@ -111,36 +111,36 @@ impl Source<'_> {
         let words = self.settings.words.or(style).unwrap_or_default();
         let rotor = rotor(model, speed > 0.0);
         let linearized = Linearized::new(model, steady);
-        let described = |pair: &Eigenpair, motion: ModeMotion| {
+        let motions = |pairs: &[Eigenpair], number: fn(&Eigenpair) -> f64| {
+            linearized.motions(pairs, number, rotor.as_ref())
+        };
+        let oscillations = motions(&found.oscillations, |pair| pair.angular_frequency);
+        let damped = motions(&found.overdamped, |pair| pair.growth.abs());
+        let real = found
+            .real
+            .iter()
+            .map(|pair| linearized.motion(pair))
+            .collect();
+        let kinds: [(&[Eigenpair], Vec<ModeMotion>, Root); 3] = [
+            (&found.oscillations, oscillations, root),
+            (&found.overdamped, damped, overdamped),
+            (&found.real, real, root),
+        ];
+        let all = kinds.into_iter().flat_map(|(pairs, motions, root)| {
+            let pairs = pairs.iter().zip(motions);
+            pairs.map(move |(pair, motion)| (pair, motion, root))
+        });
+        let roots = all.map(|(pair, motion, root)| {
             let mut point = point_of(pair.growth, pair.angular_frequency);
             describe((model, rotor.as_ref()), &motion, &mut point);
-            (point, motion)
-        };
-        let all = found.oscillations.iter().zip(linearized.motions(
-            &found.oscillations,
-            |pair| pair.angular_frequency,
-            rotor.as_ref(),
-        ));
-        let oscillations = all.map(|(pair, motion)| {
-            let (point, motion) = described(pair, motion);
             root((&point, &motion), speed, words)
         });
-        let all = found.overdamped.iter().zip(linearized.motions(
-            &found.overdamped,
-            |pair| pair.growth.abs(),
-            rotor.as_ref(),
-        ));
-        let overdamped = all.map(|(pair, motion)| {
-            let (point, motion) = described(pair, motion);
-            overdamped((&point, &motion), speed, words)
-        });
-        let real = found.real.iter().map(|pair| {
-            let (point, motion) = described(pair, linearized.motion(pair));
-            root((&point, &motion), speed, words)
-        });
-        oscillations.chain(overdamped).chain(real).collect()
+        roots.collect()
     }
 }
+
+/// A root of a mode, by the speed of the rotor \[rad/s\].
+type Root = fn((&ModePoint, &ModeMotion), f64, Words) -> StabilityRoot;
 
 /// Speed of the modes of a file \[rad/s\].
 fn speed(input: &Input) -> f64 {

@@ -64,11 +64,15 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
         }
     };
     let convection = match speed? {
-        None => of_wind(
-            table,
-            SPEED.name(),
-            Some(wind.norm()).filter(|speed| *speed > 0.0),
-        ),
+        None if wind.norm() == 0.0 => {
+            let (key, user) = (
+                SPEED.name(),
+                "a gust where the mean wind is zero at time zero",
+            );
+            table.note(&SHAPE, &AirProblem::Missing { key, user });
+            None
+        }
+        None => Some(wind.norm()),
         given => given,
     };
     let (direction, convection): ([f64; 3], f64) = (direction?.into(), convection?);
@@ -88,15 +92,6 @@ fn gust(table: &Table<'_>, mean: Option<&MeanCard>) -> Option<TravelingGust> {
             None
         }
     }
-}
-
-/// A default by the wind at time zero; noted where there is none.
-fn of_wind<T>(table: &Table<'_>, key: &'static str, found: Option<T>) -> Option<T> {
-    if found.is_none() {
-        let user = "a gust where the mean wind is zero at time zero";
-        table.note(&SHAPE, &AirProblem::Missing { key, user });
-    }
-    found
 }
 
 fn shaped(table: &Table<'_>, shape: usize, length: Option<f64>) -> Option<GustShape> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use rotor_aero::airfoil::files::blade::{AeroStation, StationAirfoil};
 use rotor_aero::airfoil::files::{self, ReadAirfoil};
-use rotor_aero::airfoil::{Airfoil, BUILT_IN, Blend, BlendProblem, Section};
+use rotor_aero::airfoil::{Airfoil, Blend, BlendProblem, Section};
 use shared_geom::document::Table;
 use shared_geom::error::Explain;
 use shared_geom::files::names_beside;
@@ -285,9 +285,7 @@ impl<'a> Pool<'a> {
             return;
         }
         let own = self.entries.iter().map(|entry| entry.name.as_str());
-        let built_in = BUILT_IN.iter().map(|one| one.name);
-        let known = own.chain(self.named.names()).chain(built_in);
-        let known = known.map(str::to_owned);
+        let known = own.chain(self.named.known()).map(str::to_owned);
         let problem = FileProblem::Unknown {
             file: file.to_owned(),
             names: self.unknown.clone(),

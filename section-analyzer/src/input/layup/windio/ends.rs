@@ -63,7 +63,7 @@ fn wrapped([start, end]: [Place; 2], what: &str, line: usize, notes: &mut Notes)
         return [start, end];
     };
     // a layer whose middle is the edge starts before it
-    if start.shift.points().any(|(_, shift)| shift != 0.0) {
+    if !start.shift.is_zero() {
         return [start, end];
     }
     let is_wrong =

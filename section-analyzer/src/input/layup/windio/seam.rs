@@ -28,18 +28,16 @@ fn is_through(layer: &WrittenLayer, at_edge: bool) -> bool {
         return false;
     };
     let positions = |course: &Course| course.points().map(|(eta, _)| eta).collect::<Vec<f64>>();
-    let all = [from, to, &layer.thickness].map(positions).concat();
-    let is_there = |eta: &f64| layer.thickness.covers(*eta) && layer.thickness.at(*eta) > ABSENT;
-    let mut places = all.iter().filter(|eta| is_there(eta)).peekable();
+    let mut there = [from, to, &layer.thickness].map(positions).concat();
+    there.retain(|eta| layer.thickness_at(*eta) > ABSENT);
     let crosses = |eta: &f64| {
         let (from, to) = (from.at(*eta), to.at(*eta));
         from > to && (at_edge || (from > 0.5 && to < 0.5 && 1.0 - from + to < WIDEST))
     };
     // A width beside a middle is a shift of the ends.
-    let is_shifted = layer.from.shift.points().any(|(_, shift)| shift != 0.0);
+    let is_shifted = !layer.from.shift.is_zero();
     let has_width = |eta: &f64| is_shifted || 1.0 - from.at(*eta) + to.at(*eta) > ROUND_OFF;
-    let mut wide = all.iter().filter(|eta| is_there(eta));
-    places.peek().is_some() && places.all(crosses) && wide.any(has_width)
+    there.iter().all(crosses) && there.iter().any(has_width)
 }
 
 /// A layer, or both parts of one through the trailing edge, the part of the suction side first, with
