@@ -16,6 +16,13 @@ use super::settling::{free_motion, settle, settle_freely};
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
 /// Largest number of iterations after which the next step is twice as long.
 const QUICK: usize = 6;
+/// Largest number of times that the states of annuli begin again at an equilibrium.
+const MOST_BEGUN: usize = 4;
+/// Difference of scalars, in parts of them, from the ones at which they begin: flaps and the Mach number with
+/// induction, which the latter leave out, change them less.
+const NEAR: f64 = 0.02;
+/// Difference of scalars, in parts of them, of the same equilibrium.
+const SAME: f64 = 1e-6;
 
 /// An equilibrium and its effort.
 #[derive(Debug, Clone)]
@@ -113,7 +120,7 @@ pub fn equilibrium(
     from: (&Conditions, &State),
     to: &Conditions,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
-    directly(model, solver, from, to).or_else(|failure| {
+    let found = directly(model, solver, from, to).or_else(|failure| {
         let mut nothing = Conditions::turning(TurningFrame {
             center: to.frame.center,
             ..TurningFrame::at_rest()
@@ -127,7 +134,41 @@ pub fn equilibrium(
             advance(&balance, &nothing, to)
         });
         raised.and_then(Result::ok).ok_or(failure)
-    })
+    });
+    found.map(|found| with_begun_annuli(model, solver, found))
+}
+
+/// The equilibrium in which each annulus is in the state at which it begins, the first one from the plane of
+/// rotation: in stall there may be several, and the last state, from which the equilibrium was continued, may
+/// have had another one. The given equilibrium if no other is found.
+fn with_begun_annuli(model: &Model, solver: &LinearSolver, mut known: Equilibrium) -> Equilibrium {
+    let system = &model.system;
+    if system.scalars().is_empty() || known.conditions.loading.air == 0.0 {
+        return known;
+    }
+    let scales = system.scalar_scales(|_| true);
+    let apart = |one: &State, other: &State| {
+        let pairs = one.scalars.iter().zip(&other.scalars);
+        let change: Vec<f64> = pairs.map(|(one, other)| one - other).collect();
+        scales.largest(&change, |i| one.scalars[i].abs()).part
+    };
+    for _ in 0..MOST_BEGUN {
+        let mut begun = known.state.clone();
+        system.begin_scalars(&mut begun, &known.conditions);
+        if apart(&begun, &known.state) < NEAR {
+            break;
+        }
+        let mut balance = Balance::new(system, solver, known.conditions, begun);
+        let report = solve(&mut balance, &Newton::default());
+        known.iterations += report.history.len();
+        let is_other = apart(&balance.state, &known.state) > SAME;
+        if report.status != NewtonStatus::Converged || !is_other {
+            break;
+        }
+        known.state = balance.state;
+        known.residual = report.worst.relative;
+    }
+    known
 }
 
 /// The equilibrium of a model with motions that nothing resists and nothing drives, as of a free shaft

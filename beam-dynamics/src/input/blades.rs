@@ -214,7 +214,8 @@ fn card(
     let masses = masses::read(table);
     let initial = initial(table, builder);
     let source = source::read(table, builder, &name);
-    let air = air(table, (&name, source.as_ref()), builder);
+    let precone = mounts.iter().flatten().next().map(|mount| mount.precone);
+    let air = air(table, (&name, source.as_ref()), precone, builder);
     let source = source?;
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     Some(Card {
@@ -249,6 +250,7 @@ fn part(table: &Table<'_>, name: &str) -> Option<Part> {
 fn air(
     table: &Table<'_>,
     (name, source): (&str, Option<&Source>),
+    precone: Option<f64>,
     builder: &mut ModelBuilder,
 ) -> Option<Option<BladeAir>> {
     if !table.has(&AERODYNAMICS) {
@@ -261,6 +263,7 @@ fn air(
             Some(source) => source.position(at),
             None => Vector3::new(at, 0.0, 0.0),
         },
+        precone,
     };
     let strips = strips::read(&air, builder, (name, &line));
     if strips.is_none() {

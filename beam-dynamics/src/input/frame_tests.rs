@@ -533,7 +533,7 @@ fn what_is_wrong_with_systems_of_states_is_reported() {
         (
             "outputs = [\"push\", \"second\"]",
             "outputs = [\"push\", \"height\"]",
-            "\"height\" is the name of a sensor or an output already",
+            "\"height\" is the name of a sensor, an output or a control already",
         ),
         (
             "b = [[1, 0, 0], [0, 1, 0]]",

@@ -22,7 +22,7 @@ use shared_geom::quadrature;
 
 use super::aerodynamics::MachLimit;
 use super::aerodynamics::family::{self, FAMILY};
-use super::aerodynamics::rotor_delay::{self, BLADE_STALL_DELAY};
+use super::aerodynamics::rotor_delay::{self, BLADE_STALL_DELAY, remark_on_end};
 use super::beam_card::Beam;
 use super::builder::{AirBlade, ModelBuilder};
 use crate::case::BladeNodes;
@@ -80,6 +80,7 @@ keys! {
 /// Strips of the blades of one card.
 #[derive(Debug)]
 pub(super) struct BladeAir {
+    user: String,
     along: LineAir,
     rotor: Rotor,
 }
@@ -134,8 +135,9 @@ pub(super) fn read(
     let radial_drag = table.get(&RADIAL_DRAG);
     let wanted = table.get(&INFLOW_NAME);
     table.finish();
-    let rotor = rotor::find(wanted?.as_deref(), table, builder, user);
+    let rotor = rotor::find(wanted?.as_deref(), table, builder, user.clone());
     Some(BladeAir {
+        user,
         along: LineAir {
             stations: stations?,
             flaps: flaps?,
@@ -181,7 +183,9 @@ pub(super) fn add(air: &BladeAir, blades: &[(&str, Matrix3<f64>)], builder: &mut
             let first = stations.positions().next().unwrap_or_default();
             let first = air.rotor.distance(&point_at(&beams, first, builder));
             let remark = air.rotor.remark_on_hub(name, first, radius);
-            builder.add_remarks(remark.into_iter().collect());
+            let delay = air.along.delay.as_ref();
+            let delay = remark_on_end(delay, &air.user, [first, radius]);
+            builder.add_remarks(remark.into_iter().chain(delay).collect());
             let distance = |at: f64| air.rotor.distance(&point_at(&beams, at, builder));
             let on_rotor = OnRotor::new((&air.rotor, stations), (blades.len(), radius), distance);
             let strips = strips(&air.along, (axes, &beams), builder, &on_rotor);

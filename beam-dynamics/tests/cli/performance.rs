@@ -60,6 +60,12 @@ struct Rows {
 
 impl Rows {
     fn of(folder: &Folder, file: &str, part: &str) -> Self {
+        let mut rows = Self::all(folder, file);
+        rows.rows.retain(|row| row[0] == part);
+        rows
+    }
+
+    fn all(folder: &Folder, file: &str) -> Self {
         let text = folder.read(file);
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let titles = reader
@@ -74,7 +80,7 @@ impl Rows {
         });
         Self {
             titles,
-            rows: rows.filter(|row| row[0] == part).collect(),
+            rows: rows.collect(),
         }
     }
 

@@ -65,3 +65,84 @@ fn conversions_to_windio_name_what_the_schema_also_requires() {
     let remark = "  a blade only: the schema of windIO also requires assembly, airfoils, ";
     assert!(run.out.contains(remark), "{}", run.out);
 }
+
+/// A rotor with a steady wake in a wind that rises, until an annulus loses its state as its section stalls.
+const STALLED: &str = "\
+units = \"SI\"
+[hub]
+support = { torsion = 0 }
+[[joint]]
+name = \"shaft\"
+kind = \"spin\"
+nodes = [\"hub\"]
+axis = [0, 0, 1]
+speed = \"60 rpm\"
+[properties.p]
+ea = 7e8
+gay = 9e7
+gaz = 9e7
+gj = 2e5
+eiy = 4e5
+eiz = 2e6
+m = 8
+iy = 0.02
+iz = 0.1
+[air]
+density = 1.225
+[air.wind]
+speed = \"= 8 + 8*t\"
+direction = [0, 0, 1]
+up = [1, 0, 0]
+[[inflow]]
+name = \"rotor\"
+[[blade]]
+name = \"b\"
+count = 3
+hub_radius = 1
+properties = \"p\"
+piece = [{ length = 4, elements = 4 }]
+[blade.aerodynamics]
+inflow = \"rotor\"
+section = \"quasi_steady\"
+strips = 2
+stations = [
+  { at = 0, chord = 0.5, twist = -18, airfoil = \"naca0012\" },
+  { at = 1, chord = 0.45, twist = -10, airfoil = \"naca0012\" },
+  { at = 4, chord = 0.3, twist = -2, airfoil = \"naca0012\" },
+]
+[transient]
+speed = \"60 rpm\"
+start = \"rotating\"
+to = 0.2
+step = 0.005
+";
+
+/// The run ends, names stall, and keeps its output; each remedy that it names lets it pass.
+#[test]
+fn stall_of_an_annulus_in_time_is_named_with_its_remedies() {
+    let folder = Folder::new();
+    let run = |text: &str| {
+        folder.write("a.dynamics.toml", text);
+        folder.run(&["transient", "a.dynamics.toml", "--no-figures"])
+    };
+    let stalled = run(STALLED);
+    assert_eq!(stalled.code, 1, "{}", stalled.err);
+    for words in [
+        "likely cause: the induced velocity at \"b ",
+        "has no value near the last one: where a section stalls",
+        "wake = \"dynamic\"",
+        "\"separation_lag\" or \"oye\"",
+    ] {
+        assert!(stalled.err.contains(words), "{words}: {}", stalled.err);
+    }
+    assert!(folder.read("results/a.transient.csv").lines().count() > 5);
+    let section = |word: &str| STALLED.replace("quasi_steady", word);
+    for text in [
+        STALLED.replace("[[inflow]]", "[[inflow]]\nwake = \"dynamic\""),
+        section("separation_lag"),
+        section("oye"),
+    ] {
+        let run = run(&text);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    }
+}

@@ -19,7 +19,7 @@ use crate::momentum::loss::{LOSS_FLOOR, loss};
 use crate::momentum::velocity::{Ambient, mass_flow};
 
 /// Intervals of the search in a quarter of a turn: the second number if the first finds nothing.
-const INTERVALS: [usize; 2] = [20, 400];
+const INTERVALS: [usize; 2] = [40, 400];
 
 /// Smallest sine of the angle from the shaft: the flow is not along it.
 const EDGE: f64 = 1e-6;

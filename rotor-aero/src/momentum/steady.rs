@@ -32,7 +32,10 @@ const LEAST_AXIAL: f64 = 1e-3;
 const LEAST_IN_PLANE: f64 = 1e-6;
 
 /// Intervals of the search in a quadrant: the second number if the first finds nothing.
-const INTERVALS: [usize; 2] = [10, 200];
+///
+/// The first one is the same as in descent, so that of several states in stall a turbine and its image in
+/// the mirror have the same one.
+const INTERVALS: [usize; 2] = [40, 200];
 
 /// Outcome of a steady state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,6 +8,7 @@ use shared_geom::units::Dimension;
 
 use super::changes::{self, FIT};
 use super::problem::StripProblem;
+use crate::input::short_number;
 
 keys! {
     /// Delay of stall by rotation along the blade, of tables of two-dimensional flow: the correction of
@@ -92,6 +93,22 @@ pub(in crate::input) fn check<'a>(
     is_sound.then_some(())
 }
 
+/// A remark on a delay that ends before the first place of a blade, by the distances of this place and of
+/// the tip from the shaft \[m\].
+pub(in crate::input) fn remark_on_end(
+    delay: Option<&RotorStallDelay>,
+    user: &str,
+    [first, tip]: [f64; 2],
+) -> Option<String> {
+    let delay = delay.filter(|delay| delay.to * tip < first)?;
+    Some(format!(
+        "{user}: \"stall_delay\" has no effect: it ends at {} of the radius of the tip, and the blade begins \
+         at {}",
+        short_number(delay.to, 4),
+        short_number(first / tip, 4)
+    ))
+}
+
 #[cfg(test)]
 mod tests {
     use crate::input::parse;
@@ -102,7 +119,7 @@ mod tests {
         let text = format!(
             "units = \"SI\"\n[properties.p]\nea = 7e9\ngay = 9e8\ngaz = 9e8\ngj = 8e8\neiy = 7e8\n\
              eiz = 7e8\nm = 11\niy = 0.001\niz = 0.001\n[airfoils.own]\nbuilt_in = \"naca0012\"\n\
-             stall_delay = {{ law = \"Snel\", chord_ratio = 0.1 }}\n[[blade]]\nname = \"b\"\n\
+             stall_delay = {{ law = \"Snel\", chord_ratio = 0.1 }}\n[[inflow]]\nname = \"i\"\n[[blade]]\nname = \"b\"\n\
              properties = \"p\"\nhub_radius = 1\npiece = [{{ length = 5, elements = 2 }}]\n\
              [blade.aerodynamics]\n{line}\nstations = [{{ at = 0, chord = 0.3, airfoil = \"{inner}\" }}, \
              {{ at = 5, chord = 0.3, airfoil = \"{outer}\" }}]\n[static]\nspeed = 10\n"
@@ -158,7 +175,17 @@ mod tests {
             let found = shown(airfoils, &format!("stall_delay = {{ {line} }}"));
             assert!(found.contains(words), "{words}\n{found}");
         }
-        assert!(!shown(naca, "stall_delay = {}").contains("stall_delay"));
+        // The blade begins at a sixth of the radius.
+        for line in ["", "to = 0.17"] {
+            let line = format!("stall_delay = {{ {line} }}\ninflow = \"i\"");
+            assert_eq!(shown(naca, &line), "", "{line}");
+        }
+        let found = shown(naca, "stall_delay = { to = 0.16 }\ninflow = \"i\"");
+        assert_eq!(
+            found,
+            "blade \"b\": \"stall_delay\" has no effect: it ends at 0.16 of the radius of the tip, and the \
+             blade begins at 0.1667"
+        );
     }
 
     /// A body has no radius without a shaft.

@@ -62,6 +62,8 @@ pub(super) struct BladeMount {
     pub root: Vector3<f64>,
     /// Distance of the root from the center of rotation, along the span \[m\].
     pub radius: f64,
+    /// Precone, positive up \[rad\].
+    pub precone: f64,
     /// Axes (columns) before pitch, precone included.
     pub axes: Matrix3<f64>,
     /// Pitch, positive nose up \[rad\].
@@ -165,7 +167,8 @@ pub(super) fn read(
     let precone = shallow(table, &PRECONE);
     let pitch = table.get(&PITCH);
     let (hub, named, root) = (hub(table, builder)?, named?, root?);
-    let cone = about(Vector3::new(0.0, -precone?, 0.0));
+    let precone = precone?;
+    let cone = about(Vector3::new(0.0, -precone, 0.0));
     let mut mounts = Vec::with_capacity(named.len());
     for (name, azimuth) in named {
         let Some(axes) = hub.blade_axes(*azimuth) else {
@@ -187,6 +190,7 @@ pub(super) fn read(
             azimuth: *azimuth,
             root,
             radius,
+            precone,
             axes,
             pitch: pitch?,
         });

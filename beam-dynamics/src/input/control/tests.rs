@@ -188,7 +188,7 @@ const MISTAKES: [[&str; 3]; 12] = [
     [
         "name = \"servo\"",
         "name = \"pull\"",
-        "\"pull\" is the name of a sensor or an output already",
+        "\"pull\" is the name of a sensor, an output or a control already",
     ],
     [
         "frequency = 5",

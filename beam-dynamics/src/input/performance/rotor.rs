@@ -179,6 +179,12 @@ fn with_panels(
     if let Some(delay) = &delay {
         let sections = rotor.stations.iter().map(|station| &station.section);
         rotor_delay::check((table, delay), sections, "[rotor]", remarks)?;
+        let first = rotor
+            .stations
+            .first()
+            .map_or(rotor.hub_radius, |first| first.radius);
+        let ends = [first, rotor.tip_radius];
+        remarks.extend(rotor_delay::remark_on_end(Some(delay), "[rotor]", ends));
     }
     let found = match panels {
         Some(count) => rotor.with_panels(count),

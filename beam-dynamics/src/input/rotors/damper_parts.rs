@@ -144,7 +144,15 @@ fn curve(table: &Table<'_>, [rates_key, forces_key]: [&Key<Vec<f64>>; 2]) -> Opt
         return None;
     }
     let points = rates.into_iter().zip(forces);
-    Some(DamperLaw::Curve(
-        points.map(|(rate, force)| [rate, force]).collect(),
-    ))
+    let points: Vec<_> = points.map(|(rate, force)| [rate, force]).collect();
+    let is_driving = |[rate, force]: &[f64; 2]| rate * force < 0.0;
+    if let Some(point) = points.iter().position(is_driving) {
+        let problem = RotorProblem::DrivingDamper {
+            point: point + 1,
+            key: forces_key.name(),
+        };
+        table.note(forces_key, &problem);
+        return None;
+    }
+    Some(DamperLaw::Curve(points))
 }

@@ -105,6 +105,17 @@ pub enum RotorProblem {
         /// Their key.
         key: &'static str,
     },
+    /// A curve of a damper that feeds energy.
+    #[error(
+        "value {point} under \"{key}\" has the opposite sign of its rate: the damper would drive the \
+         motion, expected values that resist it"
+    )]
+    DrivingDamper {
+        /// Number of the value, from one.
+        point: usize,
+        /// Their key.
+        key: &'static str,
+    },
     /// A number of pitches that is not the number of blades.
     #[error("\"individual\" lists {found}, expected {expected}: one per blade")]
     Individual {
@@ -402,6 +413,9 @@ impl Explain for RotorProblem {
             Self::NotWritten { .. } => {
                 "the lengths of actuators, and a pitch with a sensed quantity or azimuth, are \
                  expressions: write the drive as one"
+            }
+            Self::DrivingDamper { .. } => {
+                "a positive value resists a positive rate; [[spring]] and [[load]] have other laws"
             }
             Self::NoPartOfDamper { key: "on", .. } => {
                 "add a lag hinge, or write on = \"root\", the part that also turns with the pitch"

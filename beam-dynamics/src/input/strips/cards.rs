@@ -23,7 +23,7 @@ use super::stations::{self, Between};
 use super::{
     BLADE_STALL_DELAY, FAMILY, FLAPS, INFLOW_NAME, LineAir, OnRotor, POINTS, PlacedBeam,
     RADIAL_DRAG, SECTION, SECTIONS, STATIONS, airfoil_axes, deflected, delay, elements, ends,
-    flaps, place, placed_beams, point_at, strip_rotor, strips, unused,
+    flaps, place, placed_beams, point_at, remark_on_end, strip_rotor, strips, unused,
 };
 use crate::elements::strips::{Air, AirStrip, StripGeometry, StripRotor};
 use crate::input::aerodynamics::StripProblem;
@@ -259,6 +259,16 @@ fn add(
     }
     let of = (of_strip.as_ref(), &still);
     let strips = along((air, axes), (label, line), (rotor, length), of, builder);
+    if let Some(rotor) = rotor {
+        let first = air.stations.positions().next().unwrap_or_default();
+        let first = rotor.distance(&line.point(first, builder));
+        let remark = remark_on_end(
+            air.delay.as_ref(),
+            &format!("strip \"{label}\""),
+            [first, length],
+        );
+        builder.add_remarks(remark.into_iter().collect());
+    }
     let limits = rotor.map(|rotor| {
         let radius = |at| rotor.distance(&line.point(at, builder));
         air.stations.mach_limits(radius)

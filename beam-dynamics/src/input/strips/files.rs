@@ -54,6 +54,8 @@ keys! {
 
 /// Part of the length by which a station of a file may lie beyond an end: digits of files.
 const DIGITS: f64 = 1e-4;
+/// Difference of two angles of the cone that is not reported \[rad\]: digits of files.
+const SAME_CONE: f64 = 1e-3;
 /// Distance from the line, normal to the chord and over it, that is not reported \[-\].
 const NORMAL: f64 = 0.02;
 
@@ -101,6 +103,7 @@ pub(super) fn read(
     let of_file = std::mem::take(&mut blade.remarks).into_iter();
     let of_file = of_file.filter(|remark| twist.is_none() || !remark.contains("twist"));
     remarks.extend(of_file.map(|remark| format!("{user}: {remark}")));
+    remarks.extend(remark_on_cone(user, &file, [blade.cone, line.precone]));
     pool.add_own(std::mem::take(&mut blade.airfoils));
     let source = Source {
         table,
@@ -124,6 +127,19 @@ pub(super) fn read(
     let stations = Stations::new(stations, more);
     let stations = stations.map_err(|problem| table.note(&FILE, &problem));
     stations.ok().filter(|_| is_read && has_twist)
+}
+
+/// A remark on the cone of the rotor of a file, if the blades have another precone, by these angles \[rad\].
+/// Files have positive angles away from the tower, and blades along the axis of the hub.
+fn remark_on_cone(user: &str, file: &str, [cone, precone]: [Option<f64>; 2]) -> Option<String> {
+    let (cone, precone) = (cone?.abs(), precone?.abs());
+    ((cone - precone).abs() > SAME_CONE).then(|| {
+        let [cone, precone] = [cone, precone].map(|angle| short_number(angle.to_degrees(), 4));
+        format!(
+            "{user}: the rotor of \"{file}\" has a cone of {cone} deg, and the blade a \"precone\" of \
+             {precone} deg, which counts"
+        )
+    })
 }
 
 /// Reads the file of the blade.

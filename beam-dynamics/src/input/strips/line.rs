@@ -8,4 +8,6 @@ pub(in crate::input) struct BladeLine<'a> {
     pub length: f64,
     /// Position at an arc length \[m\].
     pub position: &'a dyn Fn(f64) -> Vector3<f64>,
+    /// Precone of its blades, if they could be read \[rad\].
+    pub precone: Option<f64>,
 }

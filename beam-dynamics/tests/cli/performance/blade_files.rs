@@ -198,6 +198,62 @@ fn polars_of_windio_may_be_in_another_file() {
     assert_eq!(refused.err.matches(words).count(), 1, "{}", refused.err);
 }
 
+/// The cone of the hub of windIO counts as the same "precone" does, and a "precone" of the rotor file in its
+/// place; blades of a model have their own, with a remark on another one of the file.
+#[test]
+fn the_cone_of_windio_counts_unless_it_is_given() {
+    let folder = Folder::new();
+    let airfoils = format!(
+        "airfoils:\n  - name: inner\n    rthick: 0.3\n    {WINDIO_POLAR}\n  - name: outer\n    \
+         rthick: 0.3\n    {WINDIO_POLAR}\n"
+    );
+    let head = "windIO_version: '2.0'\nname: turbine\nassembly: {number_of_blades: 3}\n";
+    let straight = format!("{head}{airfoils}{}", windio_shape());
+    folder.write("straight.yaml", &straight);
+    let coned = straight.replace("hub: {diameter: 2}", "hub: {diameter: 2, cone_angle: 8}");
+    folder.write("coned.yaml", &coned);
+    folder.write("none.yaml", &straight.replace("blades: 3", "blades: 0"));
+    let run = |file: &str, key: &str| {
+        let text = format!(
+            "units = \"SI\"\n[rotor]\nfile = \"{file}\"\n{key}\n[[schedule]]\nspeed = 8\nrotor_speed = 30\n"
+        );
+        folder.write("a.rotor.toml", &text);
+        folder.run(&["performance", "a.rotor.toml", "--no-figures"])
+    };
+    let power = |file: &str, key: &str| {
+        let run = run(file, key);
+        assert_eq!(run.code, 0, "{}", run.err);
+        Rows::of(&folder, "results/a.performance.csv", "schedule 1").column("power [W]")[0]
+    };
+    let [flat, coned] = [power("straight.yaml", ""), power("coned.yaml", "")];
+    // The power of a cone falls with the square of its cosine and more.
+    assert!(coned < 0.985 * flat, "{coned} {flat}");
+    assert_eq!(power("straight.yaml", "precone = 8"), coned);
+    assert_eq!(power("coned.yaml", "precone = 0"), flat);
+    let refused = run("none.yaml", "");
+    let words = "none.yaml: number_of_blades: found 0, expected a whole number from 1 to 100";
+    assert!(
+        refused.code == 2 && refused.err.contains(words),
+        "{}",
+        refused.err
+    );
+    for (precone, remarks) in [(0, 1), (8, 0), (-8, 0)] {
+        let text = format!(
+            "units = \"SI\"\n[properties.p]\nea = 7e9\ngay = 9e8\ngaz = 9e8\ngj = 8e8\neiy = 7e8\n\
+             eiz = 7e8\nm = 11\niy = 0.001\niz = 0.001\n[[inflow]]\nname = \"i\"\n[[blade]]\nname = \"b\"\n\
+             count = 3\nhub_radius = 1\nprecone = {precone}\nproperties = \"p\"\n\
+             piece = [{{ length = 20, elements = 4 }}]\n[blade.aerodynamics]\ninflow = \"i\"\n\
+             file = \"coned.yaml\"\n[static]\nspeed = \"30 rpm\"\n"
+        );
+        folder.write("a.dynamics.toml", &text);
+        let run = folder.run(&["check", "a.dynamics.toml"]);
+        let words = "blade \"b\": the rotor of \"coned.yaml\" has a cone of 8 deg, and the blade a \"precone\" \
+                     of 0 deg, which counts";
+        let found = (run.out.clone() + &run.err).matches(words).count();
+        assert_eq!((run.code, found), (0, remarks), "{}{}", run.out, run.err);
+    }
+}
+
 /// Angles in radians in a file whose version has degrees.
 #[test]
 fn polars_in_radians_are_suspected() {

@@ -57,6 +57,11 @@ fn soft() -> String {
 
 /// Thrust and power by the strips \[N\], \[W\].
 fn by_strips(folder: &Folder, keys: Keys, rpm: f64) -> [f64; 2] {
+    by_strips_in_turn(folder, keys, &[rpm])[0]
+}
+
+/// The same at speeds of rotation one after the other.
+fn by_strips_in_turn(folder: &Folder, keys: Keys, speeds: &[f64]) -> Vec<[f64; 2]> {
     let Keys {
         airfoil,
         inflow,
@@ -72,24 +77,40 @@ fn by_strips(folder: &Folder, keys: Keys, rpm: f64) -> [f64; 2] {
     folder.write(
         "a.dynamics.toml",
         &format!(
-            "units = \"SI\"\n{AIRFOILS}[properties.p]\nea = 7e12\ngay = 9e11\ngaz = 9e11\ngj = 8e12\n\
+            "units = \"SI\"\n[parameters]\nrpm = 1\n{AIRFOILS}[properties.p]\nea = 7e12\ngay = 9e11\ngaz = 9e11\ngj = 8e12\n\
              eiy = 7e12\neiz = 7e12\nm = 0.01\niy = 0.001\niz = 0.001\n[air]\ndensity = 1.225\n\
              wind = [0, 0, {SPEED}]\n[[inflow]]\nname = \"rotor\"\n{inflow}[[blade]]\nname = \"b\"\n\
              count = 3\nhub_radius = 1\nproperties = \"p\"\npiece = [{{ length = 4, elements = 12 }}]\n\
              [blade.aerodynamics]\ninflow = \"rotor\"\nsection = \"quasi_steady\"\nstrips = 4\n{blade}\
-             {stations}[static]\nspeed = \"{rpm} rpm\"\n"
+             {stations}[static]\nspeed = \"= rpm\"\n[static.sweep]\n\
+             parameter = \"rpm\"\nvalues = {speeds:?}\n"
         ),
     );
     let run = folder.run(&["static", "a.dynamics.toml", "--no-figures"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
-    ["thrust [N]", "power [W]"].map(|title| {
-        let line = run.out.lines().find_map(|line| line.strip_prefix(title));
-        line.unwrap().trim().parse().unwrap()
-    })
+    let rows = Rows::all(folder, "results/a.sweep.csv");
+    let [thrust, power] = ["thrust [N]", "power [W]"].map(|title| rows.column(title));
+    thrust
+        .into_iter()
+        .zip(power)
+        .map(|(thrust, power)| [thrust, power])
+        .collect()
 }
 
 /// The same by panels.
 fn by_panels(folder: &Folder, keys: Keys, rpm: f64) -> [f64; 2] {
+    run_panels(
+        folder,
+        keys,
+        "panels = 300\n",
+        &format!("rotor_speed = {rpm}\n"),
+    );
+    let rows = Rows::of(folder, "results/a.performance.csv", "sweep 1");
+    ["thrust [N]", "power [W]"].map(|title| rows.column(title)[0])
+}
+
+/// Runs `performance` with further keys of `[rotor]` and of `[[sweep]]`.
+fn run_panels(folder: &Folder, keys: Keys, rotor: &str, sweep: &str) {
     let airfoil = keys.airfoil;
     let stations = stations(|[r, chord, twist]| {
         format!("{{ r = {r}, chord = {chord}, twist = {twist}, airfoil = \"{airfoil}\" }}")
@@ -97,15 +118,13 @@ fn by_panels(folder: &Folder, keys: Keys, rpm: f64) -> [f64; 2] {
     folder.write(
         "a.rotor.toml",
         &format!(
-            "units = \"SI\"\n{AIRFOILS}[rotor]\nblades = 3\nhub_radius = 1\ntip_radius = 5\npanels = 300\n\
-             {}{stations}[momentum]\n{}[[sweep]]\nspeed = {SPEED}\nrotor_speed = \"{rpm} rpm\"\n",
+            "units = \"SI\"\n{AIRFOILS}[rotor]\nblades = 3\nhub_radius = 1\ntip_radius = 5\n{rotor}\
+             {}{stations}[momentum]\n{}[[sweep]]\nspeed = {SPEED}\n{sweep}",
             keys.blade, keys.inflow
         ),
     );
     let run = folder.run(&["performance", "a.rotor.toml", "--no-figures"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
-    let rows = Rows::of(folder, "results/a.performance.csv", "sweep 1");
-    ["thrust [N]", "power [W]"].map(|title| rows.column(title)[0])
 }
 
 /// Both programs have the same thrust and power within 4e-3, and each key of induction and of stall changes
@@ -164,11 +183,98 @@ fn keys_act_on_strips_as_on_panels() {
     }
 }
 
-/// NACA 0012 in deep stall, where lift falls over the angle of attack and some annuli have several states:
-/// there is an equilibrium at each speed, whose thrust is within 3 % of the one by panels, which may have
-/// another of these states.
+/// Delay of stall on stations that are typed, on the same in a file, and on a `[[strip]]` along the beams of
+/// each blade: one thrust and power. The file has its stations at the quarter chord, as the others.
 #[test]
-fn rotors_in_stall_have_an_equilibrium() {
+fn stall_is_delayed_alike_on_stations_files_and_strips() {
+    let folder = Folder::new();
+    folder.write("soft.csv", &soft());
+    let row = |[r, chord, twist]: [f64; 3]| format!("{} 0 0 0 {twist} {chord} 1\n", r - 1.0);
+    folder.write(
+        "blade.dat",
+        &format!(
+            "AERODYN BLADE\nthree stations\n=====\n3 NumBlNds\nBlSpn BlCrvAC BlSwpAC BlCrvAng BlTwist \
+             BlChord BlAFID\n(m) (m) (m) (deg) (deg) (m) (-)\n{}",
+            STATIONS.map(row).concat()
+        ),
+    );
+    let typed = stations(|[r, chord, twist]| {
+        let at = r - 1.0;
+        format!(
+            "{{ at = {at}, chord = {chord}, twist = {}, airfoil = \"soft\" }}",
+            -twist
+        )
+    });
+    let delay = "stall_delay = { law = \"Snel\", to = 0.6 }\n";
+    let of_blade = |keys: &str| format!("[blade.aerodynamics]\nstrips = 4\n{keys}");
+    let on_beams = |blade: usize| {
+        let beams = (1..=12).map(|number| format!("\"b {blade}/beam {number}\""));
+        let beams: Vec<_> = beams.collect();
+        let [x, y] = [
+            [0.0, 1.0],
+            [-3f64.sqrt() / 2.0, -0.5],
+            [3f64.sqrt() / 2.0, -0.5],
+        ][blade - 1];
+        format!(
+            "[[strip]]\nname = \"s{blade}\"\nbeams = [{}]\nforward = [{x}, {y}, 0]\nstrips = 4\n{delay}{typed}\
+             inflow = \"rotor\"\nsection = \"quasi_steady\"\n",
+            beams.join(", ")
+        )
+    };
+    let keys = "inflow = \"rotor\"\nsection = \"quasi_steady\"\n";
+    let run = |air: &str| {
+        folder.write(
+            "a.dynamics.toml",
+            &format!(
+                "units = \"SI\"\n{AIRFOILS}[properties.p]\nea = 7e12\ngay = 9e11\ngaz = 9e11\ngj = 8e12\n\
+                 eiy = 7e12\neiz = 7e12\nm = 0.01\niy = 0.001\niz = 0.001\n[air]\ndensity = 1.225\n\
+                 wind = [0, 0, {SPEED}]\n[[inflow]]\nname = \"rotor\"\nblades = 3\n[[blade]]\nname = \"b\"\n\
+                 count = 3\nhub_radius = 1\nproperties = \"p\"\npiece = [{{ length = 4, elements = 12 }}]\n\
+                 {air}[static]\nspeed = \"45 rpm\"\n"
+            ),
+        );
+        let run = folder.run(&["static", "a.dynamics.toml", "--no-figures"]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+        ["thrust [N]", "power [W]"].map(|title| {
+            let line = run.out.lines().find_map(|line| line.strip_prefix(title));
+            line.unwrap().trim().parse::<f64>().unwrap()
+        })
+    };
+    let without = run(&of_blade(&format!("{keys}{typed}")));
+    let expected = run(&of_blade(&format!("{keys}{delay}{typed}")));
+    assert!(
+        (expected[1] / without[1] - 1.0).abs() > 0.02,
+        "{expected:?} {without:?}"
+    );
+    let file = format!("{keys}{delay}file = \"blade.dat\"\nairfoils = [\"soft\"]\n");
+    let strips: String = (1..=3).map(on_beams).collect();
+    for air in [of_blade(&file), strips] {
+        let found = run(&air);
+        let apart = [0, 1].map(|i| (found[i] / expected[i] - 1.0).abs());
+        println!("{apart:?}");
+        assert!(apart[0] < 1e-6 && apart[1] < 1e-6, "{found:?} {expected:?}");
+    }
+}
+
+/// The place \[m\] and the angle of attack \[deg\] of the rows of a table for which a column has a value.
+fn angles(rows: &Rows, (title, value): (&str, f64)) -> Vec<[f64; 2]> {
+    let [radius, angle] = ["radius [m]", "angle_of_attack [deg]"].map(|title| rows.column(title));
+    let places = rows
+        .column(title)
+        .into_iter()
+        .zip(radius.into_iter().zip(angle));
+    let places = places.filter(|(of, _)| *of == value);
+    places.map(|(_, (radius, angle))| [radius, angle]).collect()
+}
+
+/// NACA 0012 in deep stall, where lift falls over the angle of attack and many annuli have several states,
+/// whose angles differ by some degrees: the one nearest to the plane of rotation is chosen at each speed, in
+/// sweeps up and down, and by panels. Angles of strips and of panels at the same place agree within 0.02 deg
+/// (0.0002 deg, and the interpolation between 1000 panels where the angle has a bend); within 0.15 m of hub and
+/// tip the loss
+/// changes too fast for it. Sweeps agree to the tolerance of Newton's method.
+#[test]
+fn rotors_in_stall_have_one_state() {
     let folder = Folder::new();
     folder.write("soft.csv", &soft());
     let keys = Keys {
@@ -176,10 +282,40 @@ fn rotors_in_stall_have_an_equilibrium() {
         inflow: "",
         blade: "",
     };
-    for rpm in [20.0, 30.0, 40.0, 45.0, 50.0, 60.0] {
-        let (strips, panels) = (by_strips(&folder, keys, rpm), by_panels(&folder, keys, rpm));
-        let error = (strips[0] / panels[0] - 1.0).abs();
-        println!("{rpm} rpm: {strips:?} {panels:?} {error:.4}");
-        assert!(error < 0.03, "{rpm} rpm: {strips:?} {panels:?}");
+    let speeds = [20.0, 30.0, 40.0, 45.0, 50.0, 60.0];
+    let up = by_strips_in_turn(&folder, keys, &speeds);
+    let by_strips = speeds.map(|rpm| {
+        let rows = Rows::all(&folder, &format!("results/a.sweep/rpm_{rpm}.air.csv"));
+        angles(&rows, ("rotor_speed [rpm]", rpm))
+    });
+    let mut reversed = speeds;
+    reversed.reverse();
+    let mut down = by_strips_in_turn(&folder, keys, &reversed);
+    down.reverse();
+    for (up, down) in up.iter().zip(down) {
+        let apart = [0, 1].map(|i| (up[i] / down[i] - 1.0).abs());
+        assert!(apart[0] < 1e-6 && apart[1] < 1e-6, "{up:?} {down:?}");
+    }
+    run_panels(
+        &folder,
+        keys,
+        "panels = 1000\n",
+        &format!("rotor_speed = {speeds:?}\nloads_at = {speeds:?}\n"),
+    );
+    let rows = Rows::all(&folder, "results/a.span_loads.csv");
+    for (rpm, strips) in speeds.into_iter().zip(by_strips) {
+        let panels = angles(&rows, ("rotor_speed [rpm]", rpm));
+        let inside: Vec<_> = strips
+            .iter()
+            .filter(|[r, _]| (1.15..4.85).contains(r))
+            .collect();
+        let apart = |[radius, angle]: &[f64; 2]| {
+            let next = panels.partition_point(|[r, _]| r < radius);
+            let ([r0, a0], [r1, a1]) = (panels[next - 1], panels[next]);
+            (a0 + (a1 - a0) * (radius - r0) / (r1 - r0) - angle).abs()
+        };
+        let others = inside.iter().filter(|place| apart(place) > 0.02).count();
+        println!("{rpm} rpm: {others} of {}", inside.len());
+        assert!(inside.len() > 100 && others == 0, "{rpm} rpm: {others}");
     }
 }

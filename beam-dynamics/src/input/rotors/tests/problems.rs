@@ -177,6 +177,11 @@ const WRONG: &[(&str, &str, &str)] = &[
         "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\ndamper = { rates = [1, 0], moments = [1, 2] }",
         "the damper has 2 rates and 2 values under \"moments\"",
     ),
+    (
+        "articulated",
+        "speed = 1\n[[rotor.hinge]]\nkind = \"lag\"\ndamper = { rates = [-1, 0, 1], moments = [-2, 0, -2] }",
+        "value 3 under \"moments\" has the opposite sign of its rate",
+    ),
 ];
 
 #[test]

@@ -39,7 +39,15 @@ fn stations(
 
 fn read_straight(text: &str, folder: &str, length: f64) -> Result<(Stations, Vec<String>), String> {
     let position = &straight;
-    stations(text, folder, &BladeLine { length, position })
+    stations(
+        text,
+        folder,
+        &BladeLine {
+            length,
+            position,
+            precone: None,
+        },
+    )
 }
 
 /// Rows of numbers of a file after its first `skip` lines.
@@ -111,6 +119,7 @@ fn a_line_through_the_aerodynamic_centers_is_at_the_quarter_chord() {
     let line = BladeLine {
         length: lengths[49],
         position: &position,
+        precone: None,
     };
     let (found, remarks) = stations(IEA, &format!("{AERO}/iea15"), &line).unwrap();
     for (found_at, expected) in found.positions().zip(&lengths) {

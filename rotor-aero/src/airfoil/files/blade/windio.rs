@@ -77,9 +77,20 @@ fn whole(root: &Node, blade: &mut BladeAero, has_degrees: bool, notes: &mut Note
         scalar(node, path.last().copied().unwrap_or_default(), notes)
     };
     let count = number(&["assembly", "number_of_blades"], notes);
-    blade.blades = count
-        .filter(|count| (1.0..=100.0).contains(count))
-        .map(|count| count as usize);
+    let is_count = |count: &f64| (1.0..=100.0).contains(count) && count.fract() == 0.0;
+    blade.blades = count.filter(is_count).map(|count| count as usize);
+    if let Some(wrong) = count.filter(|count| !is_count(count)) {
+        let (found, expected) = (format!("{wrong}"), "a whole number from 1 to 100");
+        notes.wrong(
+            0,
+            [
+                "number_of_blades",
+                &found,
+                expected,
+                "give the number of blades of the rotor",
+            ],
+        );
+    }
     let half = |diameter: Option<f64>| diameter.filter(|&d| d > 0.0).map(|diameter| diameter / 2.0);
     blade.tip_radius = half(number(&["assembly", "rotor_diameter"], notes));
     let mut of_hub = |key: &'static str| {
