@@ -80,6 +80,9 @@ const NAMES: &[(&str, Dimension, f64)] = &[
     ("W", Dimension::POWER, 1.0),
     ("kW", Dimension::POWER, 1e3),
     ("MW", Dimension::POWER, 1e6),
+    ("hp", Dimension::POWER, 550.0 * FOOT * LBF),
+    ("kt", Dimension::VELOCITY, 1852.0 / 3600.0),
+    ("mph", Dimension::VELOCITY, 5280.0 * FOOT / 3600.0),
     ("Pa", Dimension::STRESS, 1.0),
     ("kPa", Dimension::STRESS, 1e3),
     ("MPa", Dimension::STRESS, 1e6),
@@ -117,6 +120,7 @@ const NAMES: &[(&str, Dimension, f64)] = &[
 const COMPOUND: &[(Dimension, &[&str])] = &[
     (Dimension::CURVATURE, &["deg/m", "rad/m"]),
     (Dimension::ROTATION_SPEED, &["rpm", "rad/s", "deg/s"]),
+    (Dimension::VELOCITY, &["m/s", "km/h", "ft/s"]),
     (Dimension::MOMENT, &["N m", "kN m", "lbf in", "lbf ft"]),
     (
         Dimension::DENSITY,

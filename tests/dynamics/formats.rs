@@ -72,6 +72,54 @@ fn compare(case: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     assert!(error < tolerance, "{case}: {found:?} {expected:?}");
 }
 
+/// The blade of DTU 10 MW from its file of HAWC2, and the same with the damping of the card: the file says
+/// that its factors are tuned to a damping of 3 %, as logarithmic decrement, 0.477 % of the critical one. The
+/// factors are rounded and one for all edgewise modes: within 8 % at the first flap and edge modes.
+#[test]
+fn damping_of_hawc2_is_the_one_to_which_it_was_tuned() {
+    let file = format!(
+        "{}/tests/reference/exchange/hawc2_dtu10.htc",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let ratios = |keys: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.dynamics.toml");
+        let text = format!(
+            "units = \"SI\"\n[[blade]]\nname = \"b\"\nfile = \"{file}\"\nelements = 20\n{keys}\n\
+             [modes]\nspeeds = [0]\ncount = 3\n"
+        );
+        fs::write(&path, text).unwrap();
+        let found = table(&path);
+        let found = found.at_speed(0);
+        let ratio = |name: &str| {
+            let mode = found.iter().find(|mode| mode.0.name == name);
+            mode.unwrap_or_else(|| panic!("no {name}")).1.damping_ratio
+        };
+        ["flap 1", "lag 1"].map(ratio)
+    };
+    let tuned = 0.03 / std::f64::consts::TAU;
+    let found = ratios("");
+    for (mode, ratio) in ["flap", "lag"].into_iter().zip(found) {
+        let error = (ratio / tuned - 1.0).abs();
+        let source = "Comment of DTU_10MW_RWT.htc (3 % damping)";
+        let quantity = format!("damping ratio of the first {mode} mode [-]");
+        record::value(
+            source,
+            "DTU 10 MW blade",
+            &quantity,
+            [ratio, tuned],
+            error,
+            0.08,
+        );
+        assert!(error < 0.08, "{mode}: {ratio}");
+    }
+    // Torsion, flap and edge; the times of the card replace the ones of the file.
+    let same = ratios("damping = { times = [0, 0, 0, 3.3e-4, 2.55e-3, 1.53e-3] }");
+    let twice = ratios("damping = { times = [0, 0, 0, 3.3e-4, 5.1e-3, 1.53e-3] }");
+    assert_eq!(same, found);
+    assert!((twice[0] / found[0] - 2.0).abs() < 0.01 && (twice[1] / found[1] - 1.0).abs() < 0.1);
+}
+
 /// Formats that contain all data of a blade: 1e-9, far above the round-off of the eigenvalues and
 /// of 17 digits.
 ///

@@ -230,7 +230,9 @@ fn spun_up(
     nothing: &Conditions,
     to: &Conditions,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
-    let turning = Conditions::turning(to.frame);
+    let mut turning = Conditions::turning(to.frame);
+    // Not zero: states of controls are at rest on the way, too.
+    turning.loading.released = f64::EPSILON * to.loading.released;
     let first = advance(rest, nothing, &turning)?;
     if turning == *to {
         return Ok(first);

@@ -1,7 +1,8 @@
-//! Internal damping of a section: `damping = { time = ... }` or `{ matrix = [...] }`.
+//! Internal damping of a section: `damping = { time = ... }` or `{ matrix = [...] }`, of a blade file also
+//! `{ times = [...] }`.
 
 use nalgebra::Matrix6;
-use shared_geom::document::schema::ValueKind::{NotNegative, Rows, Table as OneTable};
+use shared_geom::document::schema::ValueKind::{NotNegative, Rows, Table as OneTable, Vector};
 use shared_geom::document::schema::{Family, TableSchema};
 use shared_geom::document::{ByHand, Table};
 use shared_geom::keys;
@@ -29,6 +30,22 @@ pub(super) const DAMPING: TableSchema = TableSchema {
     ],
 };
 
+/// Internal damping of a blade from a file.
+pub(super) const OF_FILE: TableSchema = TableSchema {
+    title: "damping = { ... } of a blade file",
+    meaning: "Internal damping of all stations, an internal force per rate of strain.",
+    keys: &[],
+    families: &[
+        DAMPING.families[0],
+        DAMPING.families[1],
+        Family {
+            name: "times",
+            meaning: "Proportional to each of the six stiffnesses.",
+            keys: &[TIMES.schema],
+        },
+    ],
+};
+
 keys! {
     /// Ratio of damping to stiffness; a mode of angular frequency w has the damping ratio
     /// `time` w / 2.
@@ -36,8 +53,46 @@ keys! {
     /// Symmetric matrix of six rows, in the units of the file.
     MATRIX: [[f64; 6]; 6] = "matrix", [Rows(6, 6)], required,
         "[[9, 0, 0, 0, 0, 0], [0, 9, 0, 0, 0, 0], [0, 0, 9, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]";
+    /// Ratio of damping to stiffness of extension, shears along y and z, torsion, and bending about y (flap)
+    /// and z (edge), at the point and in the axes of the stations.
+    TIMES: [f64; 6] = "times", [Vector(6, Dimension::TIME)], required,
+        "[0, 0, 0, 3e-4, 3e-3, 2e-3]";
     /// Internal damping; of a file it replaces the damping in the file.
     pub(super) KEY: ByHand = "damping", [OneTable(&DAMPING)], optional, "";
+    /// Internal damping, which replaces the damping in the file.
+    pub(super) KEY_OF_FILE: ByHand = "damping", [OneTable(&OF_FILE)], optional, "";
+}
+
+/// Damping of a blade file.
+pub(super) enum OfFile {
+    /// The same as of a section.
+    Section(Box<Damping>),
+    /// Ratios of damping to stiffness for the six components \[s\].
+    Times([f64; 6]),
+}
+
+/// The damping of a blade from a file, as [`read`].
+pub(super) fn read_of_file(table: &Table<'_>) -> Option<Option<OfFile>> {
+    let is_times = table.is_table(&KEY_OF_FILE)
+        && table
+            .table(&KEY_OF_FILE)
+            .is_some_and(|inner| inner.has(&TIMES));
+    if !is_times {
+        return read(table).map(|damping| damping.map(|own| OfFile::Section(Box::new(own))));
+    }
+    let inner = table.table(&KEY_OF_FILE)?;
+    let times = inner.get(&TIMES);
+    if inner.has(&TIME) || inner.has(&MATRIX) {
+        table.note(&KEY_OF_FILE, &InputProblem::OneDamping);
+        return None;
+    }
+    inner.finish();
+    let times = times?;
+    if times.iter().any(|time| *time < 0.0) {
+        inner.wrong(&TIMES, "six times, zero or more");
+        return None;
+    }
+    Some(Some(OfFile::Times(times)))
 }
 
 /// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is

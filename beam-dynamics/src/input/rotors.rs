@@ -11,7 +11,7 @@ use shared_geom::error::Diagnostics;
 
 use super::analyses::Analyses;
 use super::declare;
-use super::hub::Hub;
+use super::hub::{HUB, Hub};
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
 use crate::case::Start;
@@ -71,8 +71,8 @@ pub(super) struct PlacedRotor {
     speed: Option<f64>,
     /// The key of a part of its drive that has no state of steady rotation, if there is one.
     unsteady: Option<&'static str>,
-    /// Whether a node carries its shaft, as of a tower.
-    is_carried: bool,
+    /// The node that carries its shaft, as of a tower, if there is one.
+    carrier: Option<String>,
     /// Whether its blades have strips in the air.
     has_air: bool,
     /// Whether its drive has a free wheel.
@@ -106,7 +106,7 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     };
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
-        is_carried: rotor.base.carrier.is_some(),
+        carrier: rotor.base.carrier.clone(),
         has_air: rotor.has_air(),
         name: rotor.base.name,
         line: rotor.base.line,
@@ -304,8 +304,11 @@ fn check_turning(document: &Document, (rotors, hub): (&[PlacedRotor], &Hub), ana
             let name = name.clone();
             document.note(rotor.line, &RotorProblem::Unsteady { name, key });
         }
-        if is_apart {
-            let problem = if rotor.is_carried {
+        // The node of [hub] with a support turns with the model; another one stands, also on the axis.
+        let is_held = |node: &String| hub.moving().is_none() || node != HUB;
+        let is_carried = rotor.carrier.as_ref().is_some_and(is_held);
+        if is_apart || is_carried && analyses.highest_speed() > 0.0 {
+            let problem = if is_carried {
                 RotorProblem::Carried { name }
             } else {
                 RotorProblem::Axes { name }

@@ -150,3 +150,87 @@ fn a_single_trim_and_wrong_files() {
     assert_eq!(run.code, 2, "{}", run.err);
     assert!(run.err.contains("wrong.dynamics.toml:"), "{}", run.err);
 }
+
+/// A rigid rotor in the air, whose collective pitch is found for a thrust.
+const ROTOR: &str = "\
+units = \"SI\"
+[air]
+density = 1.2
+[airfoils.lin]
+slope = 5.7
+drag = 0.01
+[properties.b]
+ea = 1e9
+gay = 1e8
+gaz = 1e8
+gj = 1e7
+eiy = 1e5
+eiz = 1e7
+m = 5
+iy = 1e-5
+iz = 1e-5
+[[rotor]]
+name = \"m\"
+hub = \"rigid\"
+center = [0, 0, 0]
+blades = 3
+speed = 350
+[rotor.blade]
+hub_radius = 0.3
+properties = \"b\"
+piece = [{ length = 5, elements = 3 }]
+[rotor.blade.aerodynamics]
+section = \"quasi_steady\"
+stations = [
+  { at = 0, chord = 0.25, twist = 0, airfoil = \"lin\" },
+  { at = 5, chord = 0.25, twist = 0, airfoil = \"lin\" },
+]
+[rotor.swashplate]
+collective = \"collective\"
+[sensors.thrust]
+quantity = \"thrust\"
+[periodic]
+speed = 350
+steps = 24
+[trim]
+[[trim.control]]
+name = \"collective\"
+guess = 6
+[[trim.target]]
+name = \"T\"
+signal = \"thrust\"
+value = 10000
+scale = 1e4
+";
+
+/// The trim by shooting does not depend on the state from which its first period begins: one collective
+/// pitch, to the tolerance of Newton's method.
+#[test]
+fn trims_begin_from_given_and_rotating_starts() {
+    let folder = Folder::new();
+    let pitch = |start: &str| {
+        let text = ROTOR.replace("steps = 24\n", &format!("steps = 24\n{start}"));
+        folder.write("a.dynamics.toml", &text);
+        let run = folder.run(&["trim", "a.dynamics.toml", "--no-figures"]);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+        let table = folder.read("results/a.trim.csv");
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        let titles = reader.headers().unwrap().clone();
+        let column = titles
+            .iter()
+            .position(|title| title.starts_with("collective"));
+        let row = reader.records().next().unwrap().unwrap();
+        row[column.unwrap()].parse::<f64>().unwrap()
+    };
+    let expected = pitch("");
+    // Blade elements without induced velocity and compression: T = rho a c 3 theta int (Omega r)^2 dr / 2.
+    let turns = 350.0 * std::f64::consts::PI / 30.0;
+    let cube = (5.3f64.powi(3) - 0.3f64.powi(3)) / 3.0;
+    let rigid = 1e4 / (0.5 * 1.2 * 5.7 * 0.25 * 3.0 * turns * turns * cube);
+    assert!(
+        (expected / rigid.to_degrees() - 1.0).abs() < 0.05,
+        "{expected}"
+    );
+    let found = pitch("start = \"rotating\"\n");
+    assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
+}

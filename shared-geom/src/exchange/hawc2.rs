@@ -367,7 +367,9 @@ fn inertia(&[mass, x_cg, y_cg, ri_x, ri_y]: &[f64; 5]) -> Inertia {
     }
 }
 
-/// The damping of `damping_posdef`: factors of bending and torsional stiffness.
+/// The damping of `damping_posdef`: factors of bending and torsional stiffness. The ones of x and y belong to
+/// deflections along these axes, edge and flap, not to bending about them: with this order the first flap and
+/// edge modes of the public models have the damping for which their files say that they were tuned.
 fn damping(body: &Body, remarks: &mut Vec<String>) -> Option<BladeDamping> {
     let [m_x, m_y, m_z, k_x, k_y, k_z] = body.damping?;
     if [m_x, m_y, m_z].iter().any(|&factor| factor != 0.0) {
@@ -375,7 +377,7 @@ fn damping(body: &Body, remarks: &mut Vec<String>) -> Option<BladeDamping> {
             "factors of the mass in damping_posdef ({m_x}, {m_y}, {m_z} 1/s) are not read"
         ));
     }
-    let times = Convention::Hawc2.values_to_ours(&[0.0, 0.0, 0.0, k_x, k_y, k_z]);
+    let times = Convention::Hawc2.values_to_ours(&[0.0, 0.0, 0.0, k_y, k_x, k_z]);
     times.iter().any(|&time| time != 0.0).then(|| {
         remarks.push(
             "the factors of damping_posdef are damping times of bending and torsion; axial \

@@ -2,7 +2,7 @@
 //! quantity.
 //!
 //! With q the quantity, zero for a control, w its weight, one or a wave of a harmonic, and r one in the
-//! equilibrium of a start and zero in time,
+//! equilibrium of a start and on the way to it, and zero in time,
 //!
 //! ```text
 //! z' - (1 - r) w q + r ( z - z_0 ) / s = 0 ,     s = 1 second
@@ -103,7 +103,7 @@ impl Element for Kept {
         out: &mut LocalResidual,
         jacobian: Option<&mut LocalJacobian>,
     ) {
-        let resting = at.loading.released;
+        let resting = f64::from(at.loading.released != 0.0);
         let weight = self.wave.map_or(1.0, |wave| wave.at(at.loading.time));
         let share = (resting - 1.0) * weight;
         out.add_scalar(0, at.scalars.rates[0]);

@@ -118,7 +118,7 @@ mod tests {
     fn shown([inner, outer]: [&str; 2], line: &str) -> String {
         let text = format!(
             "units = \"SI\"\n[properties.p]\nea = 7e9\ngay = 9e8\ngaz = 9e8\ngj = 8e8\neiy = 7e8\n\
-             eiz = 7e8\nm = 11\niy = 0.001\niz = 0.001\n[airfoils.own]\nbuilt_in = \"naca0012\"\n\
+             eiz = 7e8\nm = 20\niy = 0.001\niz = 0.001\n[airfoils.own]\nbuilt_in = \"naca0012\"\n\
              stall_delay = {{ law = \"Snel\", chord_ratio = 0.1 }}\n[[inflow]]\nname = \"i\"\n[[blade]]\nname = \"b\"\n\
              properties = \"p\"\nhub_radius = 1\npiece = [{{ length = 5, elements = 2 }}]\n\
              [blade.aerodynamics]\n{line}\nstations = [{{ at = 0, chord = 0.3, airfoil = \"{inner}\" }}, \
@@ -137,7 +137,7 @@ mod tests {
             (
                 naca,
                 "law = \"Sneel\"",
-                "delay.dynamics.toml:21: \"law\" is \"Sneel\"",
+                "delay.dynamics.toml:23: \"law\" is \"Sneel\"",
             ),
             (
                 naca,

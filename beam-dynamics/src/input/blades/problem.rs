@@ -96,6 +96,20 @@ pub enum BladeProblem {
         /// The hinge, as text.
         hinge: String,
     },
+    /// A file of a tower or a wing that has another length.
+    #[error(
+        "the line of \"{file}\" is {} m long, expected the length of the part, {} m",
+        short_number(*found, 6),
+        short_number(*expected, 6)
+    )]
+    LengthOfPart {
+        /// The file.
+        file: String,
+        /// Its length \[m\].
+        found: f64,
+        /// Length of the part \[m\].
+        expected: f64,
+    },
     /// A root with hinges and with a clamp option.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {
@@ -114,6 +128,10 @@ impl Explain for BladeProblem {
             Self::Both { first: "root", .. } => {
                 "\"root\" is a position at azimuth 0, \"hub_radius\" the distance from the center \
                  along the blade"
+            }
+            Self::LengthOfPart { .. } => {
+                "of an htc file of HAWC2 the body of the blade is read: give a file of the part alone, as the \
+                 st file of the tower"
             }
             Self::Both { first: "part", .. } => "the blade of which it is a part has the strips",
             Self::Both { .. } => {

@@ -22,13 +22,14 @@ use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
+use super::PART;
 use super::layout::{BladeLayout, LayoutNode};
 use super::mesh::Ends;
 use super::problem::BladeProblem;
 use crate::elements::beams::Beam;
 use crate::input::beam_properties::BeamProperties;
 use crate::input::builder::ModelBuilder;
-use crate::input::damping;
+use crate::input::damping::{self, OfFile};
 use crate::input::heat;
 
 /// A blade of a blade file.
@@ -40,7 +41,7 @@ pub(in crate::input) const STATIONS: Family = Family {
         ELEMENTS.schema,
         LENGTH.schema,
         RIGID_SHEAR.schema,
-        damping::KEY.schema,
+        damping::KEY_OF_FILE.schema,
     ],
 };
 
@@ -58,6 +59,8 @@ keys! {
 
 /// Elements of one blade: more are treated as an error.
 const MOST_ELEMENTS: usize = 10_000;
+/// Difference of the length of a part and of its file, as part of it: rounded digits.
+const SAME_LENGTH: f64 = 0.01;
 /// Angle of a kink between straight pieces of the line, at which an element must end
 /// \[rad\]: half a degree, as of a curve with 314 points per half turn.
 const KINK: f64 = 0.01;
@@ -80,7 +83,7 @@ pub(super) struct StationLine {
 pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<StationLine> {
     let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
     let rigid_shear = table.get(&RIGID_SHEAR);
-    let damping = damping::read(table);
+    let damping = damping::read_of_file(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
     let written = table.get(&FILE)?;
@@ -91,6 +94,7 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
         rigid_shear: rigid_shear?,
     };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
+    is_of_part(table, (&written, reading.blade.length()), options.length)?;
     // The damping of the card replaces the damping of the file.
     if let Some(damping) = damping? {
         reading.blade.damping = Some(everywhere(damping, reading.blade.stations.len()));
@@ -104,11 +108,33 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
     })
 }
 
+/// Notes a tower or a wing whose file has another line, as of the blade in a file with several bodies.
+fn is_of_part(table: &Table<'_>, (file, found): (&str, f64), expected: Option<f64>) -> Option<()> {
+    let expected = expected.filter(|_| table.has(&PART));
+    let Some(expected) = expected.filter(|length| (found - length).abs() > SAME_LENGTH * length)
+    else {
+        return Some(());
+    };
+    let file = file.to_owned();
+    table.note(
+        &FILE,
+        &BladeProblem::LengthOfPart {
+            file,
+            found,
+            expected,
+        },
+    );
+    None
+}
+
 /// The damping of a card at all stations.
-fn everywhere(damping: Damping, stations: usize) -> BladeDamping {
+fn everywhere(damping: OfFile, stations: usize) -> BladeDamping {
     match damping {
-        Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
-        Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; stations]),
+        OfFile::Times(times) => BladeDamping::Times(times),
+        OfFile::Section(own) => match *own {
+            Damping::StiffnessProportional(time) => BladeDamping::Proportional(time),
+            Damping::Viscous(matrix) => BladeDamping::Viscous(vec![matrix; stations]),
+        },
     }
 }
 

@@ -279,7 +279,10 @@ impl Catalog {
     pub fn is_free(&self, name: &str, table: &Table<'_>, key: &str) -> bool {
         let parameters = table.document().parameters();
         let taken = [
-            ("a sensor, an output or a control", self.readable.contains_key(name)),
+            (
+                "a sensor, an output or a control",
+                self.readable.contains_key(name),
+            ),
             ("a parameter", parameters.iter().any(|own| own.0 == name)),
             ("a drive", self.has(name)),
         ];

@@ -117,9 +117,11 @@ impl Explain for TrimProblem {
                 "give [periodic] several \"steps\" for each wave, or a lower harmonic"
             }
             Self::PartOfMean => "add harmonic = 1, once in a period, or remove \"part\"",
-            Self::Unused { .. } => {
-                "use it, as in sine = \"= sine*deg\" of [rotor.swashplate], or remove it with its \
-                 target"
+            Self::Unused { name } => {
+                return Some(format!(
+                    "use it, as in collective = \"{name}\" of [rotor.swashplate], or remove it with its \
+                     target"
+                ));
             }
             Self::SweptControl { .. } => "remove the control and its target, or the sweep",
         };

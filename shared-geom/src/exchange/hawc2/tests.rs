@@ -159,8 +159,8 @@ fn the_dtu_10mw_is_read_with_its_line() {
         k[(0, 0)]
     );
     assert!((k[(3, 3)] / (2.5268066213700e9 * 1.0865806875700e1) - 1.0).abs() < 1e-2);
-    // damping_posdef: times of bending about x, about y, and of torsion
-    let times = [0.0, 0.0, 0.0, 3.3e-4, 1.53e-3, 2.55e-3];
+    // damping_posdef: times of edge, flap and torsion; ours are of torsion, flap and edge
+    let times = [0.0, 0.0, 0.0, 3.3e-4, 2.55e-3, 1.53e-3];
     assert_eq!(blade.damping, Some(BladeDamping::Times(times)));
 }
 

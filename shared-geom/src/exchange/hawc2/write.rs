@@ -100,7 +100,8 @@ fn damping(blade: &Blade) -> [f64; 6] {
         _ => [0.0; 6],
     };
     let [_, _, _, x, y, z] = Convention::Hawc2.values_from_ours(&ours);
-    [0.0, 0.0, 0.0, x, y, z]
+    // In the order of deflections along x and y, see the reader.
+    [0.0, 0.0, 0.0, y, x, z]
 }
 
 fn st_file(

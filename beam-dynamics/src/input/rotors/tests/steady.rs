@@ -169,3 +169,25 @@ fn modes_of_a_rotor_on_a_tower_are_where_the_help_says() {
         "{found}"
     );
 }
+
+/// A rotor on a node of the file is not turned with its support by analyses without time, also if the node
+/// is on its axis; in time it may be.
+#[test]
+fn carriers_on_the_axis_do_not_turn_with_the_rotor() {
+    let pylon = "[[node]]\nname = \"pylon\"\nposition = [0, 0, 0]\n[[body]]\nname = \"pylon\"\nnode = \"pylon\"\n\
+                 mass = 30\ninertia = [1, 1, 1]\n[[spring]]\nname = \"gear\"\nnode = \"pylon\"\n\
+                 stiffness = [1e5, 2e5, 1e6]\nrotational_stiffness = [1e5, 1e5, 1e5]\n";
+    let keys = "speed = 1\nnode = \"pylon\"";
+    for analysis in ["[modes]\nspeeds = [1]\n", "[static]\nspeed = 1\n"] {
+        let found = refused(&text("rigid", keys, &format!("{pylon}{analysis}")));
+        assert!(
+            found.contains("rotor \"r\" turns on a part that does not"),
+            "{found}"
+        );
+    }
+    read(&text(
+        "rigid",
+        keys,
+        &format!("{pylon}[periodic]\nspeed = 1\n"),
+    ));
+}
