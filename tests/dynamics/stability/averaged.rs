@@ -233,11 +233,15 @@ fn values_without_a_vector_take_no_places() {
 
 /// The linear model of the rotor on a mast, by averaged coefficients.
 fn linear_on_a_mast(speed: f64) -> LinearModel {
+    linear(&on_a_mast(speed))
+}
+
+/// The linear model of a rotor on a mast, by averaged coefficients.
+fn linear(model: &str) -> LinearModel {
     let cards = format!(
-        "{}[[load]]\nnode = \"mast\"\nforce = [1, 0, 0]\ndrive = \"shaker\"\n\
+        "{model}[[load]]\nnode = \"mast\"\nforce = [1, 0, 0]\ndrive = \"shaker\"\n\
          [drives.shaker]\nkind = \"constant\"\nvalue = 0\n\
-         [sensors.place]\nquantity = \"displacement\"\nof = \"mast\"\ncomponent = \"x\"\n",
-        on_a_mast(speed)
+         [sensors.place]\nquantity = \"displacement\"\nof = \"mast\"\ncomponent = \"x\"\n"
     );
     let text = format!("[units]\nangle = \"rad\"\nrotation_speed = \"rad/s\"\n{cards}");
     let request = LinearRequest {

@@ -27,6 +27,22 @@ fn rotor(name: &str, side: f64) -> String {
     )
 }
 
+/// The right rotor of [`rotor`] by its sense of rotation.
+fn clockwise() -> String {
+    let turned = [
+        ("axis = [0, 0, -1.0]", "direction = \"clockwise\""),
+        (
+            "= -1.0*collective - difference",
+            "= collective + difference",
+        ),
+        ("= -1.0*sine - turn", "= sine + turn"),
+    ];
+    turned.iter().fold(rotor("right", 1.0), |text, (from, to)| {
+        assert!(text.contains(from), "{text}");
+        text.replace(from, to)
+    })
+}
+
 /// The rotorcraft with its center of mass off the middle; x is aft, y to the right and z up. The fuselage
 /// has a drag polar and a lift by its pitch, times areas [m^2]. The search begins with a pitch and a roll.
 fn rotorcraft(off: f64, [pitch, roll]: [f64; 2], stages: &str) -> String {
@@ -132,5 +148,18 @@ fn the_attitude_of_the_start_does_not_change_the_trim() {
                 assert!(off < 1e-7, "{stages} {start:?}: {first} {other}");
             }
         }
+    }
+}
+
+// The right rotor as the mirror image of the left one, with pitch and thrust of the same sign, has the controls of
+// the rotor that is written upside down.
+#[test]
+fn the_sense_of_rotation_mirrors_a_rotor() {
+    let text = rotorcraft(0.1, GUESS, "two");
+    let keyed = text.replace(&rotor("right", 1.0), &clockwise());
+    assert!(keyed.contains("direction = "));
+    let [written, keyed] = [text, keyed].map(|text| trimmed(&text)[0].controls.clone());
+    for (written, keyed) in written.iter().zip(&keyed) {
+        assert!((written - keyed).abs() < 1e-8, "{written} {keyed}");
     }
 }

@@ -96,6 +96,14 @@ pub enum BladeProblem {
         /// The hinge, as text.
         hinge: String,
     },
+    /// A mirror image of a section that has none.
+    #[error("blade \"{blade}\" is a mirror image, and its sections have {found}")]
+    NoMirror {
+        /// Name of the blade.
+        blade: String,
+        /// A part of a section, as text.
+        found: &'static str,
+    },
     /// A root with hinges and with a clamp option.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {
@@ -115,6 +123,12 @@ impl Explain for BladeProblem {
                 "\"root\" is a position at azimuth 0, \"hub_radius\" the distance from the center \
                  along the blade"
             }
+            Self::Both {
+                first: "mirror", ..
+            } => {
+                "hold the root by joints of its own, as a [[rotor]] with direction = \"clockwise\" does"
+            }
+            Self::NoMirror { .. } => "give the sections stiffness, mass and damping only",
             Self::Both { first: "part", .. } => "the blade of which it is a part has the strips",
             Self::Both { .. } => {
                 "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\""
