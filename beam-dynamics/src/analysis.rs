@@ -59,6 +59,7 @@ mod linearized;
 mod linking;
 mod modal_damping;
 pub mod modes;
+mod multiblade;
 pub mod performance;
 pub mod periodic;
 pub mod stability;

@@ -14,6 +14,8 @@
 
 use faer::{Mat, c64};
 
+mod repeated;
+
 use super::dense::Eigenvectors;
 use crate::gmres::{norm, orthogonalize};
 
@@ -162,7 +164,12 @@ impl Space<'_> {
         let entry = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
         let h = Mat::from_fn(m, m, entry);
         let mut found = Eigenvectors::new(h.as_ref()).firsts();
+        for (value, parts) in found.iter_mut().filter(|own| own.0.im < 0.0) {
+            *value = value.conj();
+            parts.col_mut(1).iter_mut().for_each(|x| *x = -*x);
+        }
         found.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
+        repeated::separate(&h, &mut found);
         let mut pairs = Vec::new();
         let mut counted = 0;
         for (value, parts) in found {
@@ -180,14 +187,9 @@ impl Space<'_> {
                 }
                 vector
             };
-            let is_conjugate = value.im < 0.0;
-            let [real, mut imaginary] = [part(0), part(1)];
-            if is_conjugate {
-                imaginary.iter_mut().for_each(|x| *x = -*x);
-            }
             pairs.push(Ritz {
-                value: c64::new(value.re, value.im.abs()),
-                vector: [real, imaginary],
+                value,
+                vector: [part(0), part(1)],
                 residual: self.rest * last,
             });
         }

@@ -45,9 +45,8 @@ fn controls(speed: f64, most: usize) -> Vec<f64> {
 }
 
 // From guesses whose attitude is zero. At 10 m/s the induced velocity is largest: more collective pitch and
-// pedal than at 30 m/s, where the nose is lower. The controls there are the numbers of the climb, of a sweep:
-// ten steps of three stages for a revolution of the tail rotor, in axes of the first attitude, leave 5e-3 deg
-// between both. In the long form only: each trim takes 20 seconds, and `trim::two_rotors` has six forces in a
+// pedal than at 30 m/s, where the nose is lower. The controls there are the numbers of the climb, of a sweep,
+// which begins at another attitude. In the long form only: each trim takes 20 seconds, and `trim::two_rotors` has six forces in a
 // second.
 #[test]
 fn six_forces_of_main_and_tail_rotor() {

@@ -49,6 +49,7 @@ mod linear;
 mod loads;
 mod mbdyn_model;
 mod mechanisms;
+mod mirrored_rotors;
 mod overdamped;
 mod pendulum;
 mod periodic;

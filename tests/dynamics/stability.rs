@@ -8,6 +8,7 @@ mod averaged;
 mod closed_forms;
 mod follower;
 mod ground_resonance;
+mod names;
 mod problems;
 mod rotor;
 

@@ -1,4 +1,4 @@
-//! Constant coefficients of a rotor in forward flight: the equations of small motions about the periodic
+//! Constant coefficients of rotors in forward flight: the equations of small motions about the periodic
 //! motion, in multiblade coordinates, averaged over the period.
 //!
 //! With the changes d of all unknowns in space and their derivatives along the motion,
@@ -18,10 +18,12 @@
 //! References: [ColemanFeingold1958].
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3};
 
+use crate::analysis::multiblade::{Coordinates, FEW, Factors, NoCoordinates, SlotKind};
 use crate::analysis::periodic::record;
 use crate::analysis::transient::{consistent_rates, independent};
 use crate::assembly::{Combination, Pattern, Sparse, System, Tangent, Variation};
@@ -29,17 +31,14 @@ use crate::case::{Model, PeriodicSettings};
 use crate::model::{Conditions, State};
 use crate::result::{AcceptedStep, Recorder};
 
-mod coordinates;
 mod equality;
 mod modes;
-mod support;
 
 pub(super) use modes::{AveragedMode, averaged_modes};
 
-use coordinates::{Coordinates, Factors, NoCoordinates, SlotKind};
 use equality::Equality;
 
-/// Instants of the mean: harmonics up to their number have no mean.
+/// Instants of the mean in a turn: harmonics up to their number have no mean.
 const INSTANTS: usize = 24;
 /// Part of its terms below which a mean is round-off.
 const ROUND_OFF: f64 = 1e-13;
@@ -66,17 +65,27 @@ impl Averaged {
             ..
         } = &self.coordinates;
         let slot = &slots[slot_of[unknown]];
-        let (number, family) = slot.of_blade?;
+        let (blade, family) = slot.of_blade?;
         let first = slots[*families[family].first()?].first;
-        let word = self.coordinates.word(number);
+        let rotor = self.coordinates.rotor_of(blade);
+        let word = rotor.word(blade - rotor.first);
         Some((first + unknown - slot.first, word))
     }
 }
 
 /// Whether a model has multiblade coordinates; or the reason why not, with a remedy.
 pub(super) fn possible(model: &Model) -> Result<(), [String; 2]> {
-    let found = Coordinates::new(model, 0.0);
-    found.map(|_| ()).map_err(impossible)
+    coordinates(model).map(|_| ())
+}
+
+/// Multiblade coordinates of rotors of three or more blades each: fewer ones have periodic coefficients also
+/// in these.
+fn coordinates(model: &Model) -> Result<Coordinates, [String; 2]> {
+    let found = Coordinates::new(model).map_err(impossible)?;
+    if found.rotors.iter().any(|rotor| rotor.count < 3) {
+        return Err(impossible(FEW));
+    }
+    Ok(found)
 }
 
 fn impossible(problem: NoCoordinates) -> [String; 2] {
@@ -97,12 +106,11 @@ pub(super) fn averaged(
         .map_err(|failure| [failure.to_string(), failure.remedy()])?;
     let own = shared.map(|shared| shared.model);
     let own = own.unwrap_or_else(|| model.clone());
-    let speed = settings.speed.unwrap_or(0.0);
-    let coordinates = Coordinates::new(&own, speed).map_err(impossible)?;
+    let coordinates = coordinates(&own)?.turning(state, settings.period);
     let mut sum = Sum {
         mean: Mean::new(&coordinates),
         system: &own.system,
-        stride: stride(settings.steps),
+        stride: stride(settings.steps, &coordinates, settings.period),
     };
     record(model, settings, state, &mut sum)
         .map_err(|failure| [failure.to_string(), failure.remedy()])?;
@@ -141,10 +149,16 @@ impl Recorder for Sum<'_> {
     }
 }
 
-/// The distance of the instants in steps: a divisor of their number.
-fn stride(steps: usize) -> usize {
+/// The distance of the instants in steps: a divisor of their number, so that there are enough in a turn of the
+/// fastest rotor.
+fn stride(steps: usize, coordinates: &Coordinates, period: f64) -> usize {
+    let turns = coordinates
+        .rotors
+        .iter()
+        .map(|rotor| (rotor.speed.abs() * period / TAU).round());
+    let enough = INSTANTS * (turns.fold(1.0, f64::max) as usize);
     let divisors = (1..=steps).filter(|stride| steps.is_multiple_of(*stride));
-    let enough = divisors.filter(|stride| steps / stride >= INSTANTS);
+    let enough = divisors.filter(|stride| steps / stride >= enough);
     enough.max().unwrap_or(1)
 }
 
@@ -217,7 +231,7 @@ impl<'a> Mean<'a> {
                 }
             });
             let slots = [row, column].map(|index| &self.coordinates.slots[index]);
-            self.equality.add(slots, self.coordinates.count(), &block);
+            self.equality.add(slots, self.coordinates, &block);
             self.spread(factors, (row, column), &block);
         }
     }

@@ -21,6 +21,7 @@ use crate::solver::Largest;
 mod approach;
 mod border;
 mod content;
+mod equal;
 mod failure;
 mod floquet;
 mod flow;
@@ -34,7 +35,7 @@ mod sizes;
 pub use failure::PeriodicFailure;
 
 use border::Border;
-use content::Observer;
+use content::{InBlades, Observer};
 use floquet::Monodromy;
 use flow::{Flow, Passed};
 use passes::Passes;
@@ -379,11 +380,13 @@ fn stability(
     let largest =
         floquet::multipliers(&fine, settings.count).ok_or(PeriodicFailure::NoMultipliers)?;
     let conditions = model.conditions_at(shooting.settings.start.from);
+    let (mass, masses) = sizes::masses(model, (&orbit.end, &conditions));
     let observer = Observer {
         model,
-        speed: shooting.settings.speed,
+        in_blades: InBlades::new(model, (&orbit.end, mass), flow.period()),
         period: flow.period(),
-        masses: sizes::masses(model, (&orbit.end, &conditions)),
+        masses,
+        words: settings.words,
     };
     let coarse = coarse(shooting, &fine, (&orbit.state, flow.steps() / 2), settings);
     // Halved steps have 2^p times the error of the exponents, p = 2 s - 1.

@@ -1,6 +1,6 @@
 //! The requested periodic motion.
 
-use super::{AutoPilot, TransientSettings, TrimControl, TrimTarget};
+use super::{AutoPilot, TransientSettings, TrimControl, TrimTarget, Words};
 
 /// Search of a periodic motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +21,8 @@ pub struct FloquetSettings {
     pub near: Vec<f64>,
     /// Whether the error of the steps is estimated by a second analysis with half their number.
     pub estimates_error: bool,
+    /// Words in the names of modes.
+    pub words: Words,
 }
 
 /// The requested periodic motion.

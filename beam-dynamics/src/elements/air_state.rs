@@ -21,6 +21,9 @@ pub struct StripLocation {
     pub span: f64,
     /// Direction of azimuth zero in the frame of the model; its part across the shaft counts \[-\].
     pub zero: Vector3<f64>,
+    /// Sense of a positive thrust along the shaft: -1 of a rotor that turns clockwise, whose shaft has the
+    /// direction of the rotation \[-\].
+    pub side: f64,
 }
 
 impl Default for StripLocation {
@@ -32,6 +35,7 @@ impl Default for StripLocation {
             number: 1,
             span: 0.0,
             zero: Vector3::x(),
+            side: 1.0,
         }
     }
 }
@@ -158,7 +162,7 @@ impl RotorSum {
     pub fn share(self, of: &AirState) -> f64 {
         let Some(rotor) = &of.rotor else { return 0.0 };
         match self {
-            Self::Thrust => of.force.dot(&rotor.axis),
+            Self::Thrust => of.location.side * of.force.dot(&rotor.axis),
             Self::Torque => of.moment.dot(&rotor.axis),
             Self::Power => of.moment.dot(&rotor.axis) * rotor.turning,
         }

@@ -7,6 +7,8 @@
 //! T = n . sum F                  Q = n . sum M                  P = Q omega
 //! ```
 //!
+//! Of a rotor that turns clockwise about its axis, which is a mirror image, `T = -n . sum F`.
+//!
 //! T, Q and P are of the air on the blades: P is positive for turbines. The coefficients are the
 //! ones of [`rotor_aero::rotor`]; for rotors and propellers torque and power are the ones that
 //! the shaft must provide, -Q and -P.
@@ -100,16 +102,16 @@ impl RotorAir {
             sums[1] += RotorSum::Torque.share(strip);
             sums[2] += rotor.turning;
             sums[3] += rotor.tip_radius;
-            last = Some(rotor);
+            last = Some((rotor, strip.location.side));
         }
-        let rotor = last?;
+        let (rotor, side) = last?;
         let climb = rotor.velocity.dot(&rotor.axis);
         Some(Self {
             thrust: sums[0],
             torque: sums[1],
             turning: sums[2] / count,
             radius: sums[3] / count,
-            climb,
+            climb: side * climb,
             edgewise: (rotor.velocity - rotor.axis * climb).norm(),
             density: rotor.density,
         })

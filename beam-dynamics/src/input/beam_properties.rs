@@ -75,6 +75,30 @@ impl BeamProperties {
         }
     }
 
+    /// The mirror image, by the one of a stiffness; or the part of the section that has none, as text.
+    pub fn mirrored(
+        &self,
+        image: &dyn Fn(&Matrix6<f64>) -> Matrix6<f64>,
+    ) -> Result<Self, &'static str> {
+        let others = [
+            (self.law.is_some(), "a law"),
+            (self.prestress.is_some(), "a table of prestress"),
+            (!self.heat.is_empty(), "imposed strains"),
+            (self.piezo.is_some(), "electrodes"),
+            (self.curved.is_some(), "a curvature"),
+        ];
+        if let Some((_, found)) = others.iter().find(|other| other.0) {
+            return Err(found);
+        }
+        let mass = self.mass.iter().map(|(xi, own)| (*xi, image(own)));
+        Ok(Self {
+            stiffness: self.stiffness.map(|own| image(&own)),
+            damping: self.damping.map(|both| both.map(|own| image(&own))),
+            mass: mass.collect(),
+            ..self.clone()
+        })
+    }
+
     /// The same with internal damping at the evaluation points.
     pub fn damped(self, damping: Option<[Matrix6<f64>; 2]>) -> Self {
         Self { damping, ..self }

@@ -27,6 +27,7 @@ mod hinges;
 mod layout;
 mod masses;
 mod mesh;
+mod mirror;
 mod mounts;
 mod piece_line;
 mod pieces;
@@ -66,6 +67,7 @@ pub(super) const CARD: TableSchema = TableSchema {
         INERTIA.schema,
         CLAMP_ROOT.schema,
         PART.schema,
+        MIRROR.schema,
         HINGES.schema,
         MASS.schema,
         AERODYNAMICS.schema,
@@ -122,6 +124,9 @@ keys! {
     /// coordinates then do not count it as a blade; `"tower"` names modes after it.
     PART: Part = "part", [Boolean, Word(&[TOWER])] as "true, false or \"tower\"",
         or "false" = Part::No, "true";
+    /// Whether all of the card is the mirror image in the plane of rotation, as of a lifting rotor that
+    /// turns the other way: heights, precone, pitch, twist, airfoils, and the couplings of the sections.
+    MIRROR: bool = "mirror", [Boolean], or "false" = false, "true";
     /// Hinges between hub and root, from the hub outward.
     HINGES: NestedList = "hinges", [Tables(&hinges::CARD)], optional, "";
     /// Strips of every blade of the card in the air.
@@ -217,7 +222,12 @@ fn card(
     let precone = mounts.iter().flatten().next().map(|mount| mount.precone);
     let air = air(table, (&name, source.as_ref()), precone, builder);
     let source = source?;
+    let mirrors = mirror::read(table, &name);
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
+    let (layout, masses, air) = match mirrors? {
+        false => (layout, masses, air?),
+        true => mirror::mirrored((layout, masses, air?), table, &name)?,
+    };
     Some(Card {
         name,
         mounts: mounts?,
@@ -227,7 +237,7 @@ fn card(
         part: part?,
         initial: initial?,
         masses,
-        air: air?,
+        air,
     })
 }
 

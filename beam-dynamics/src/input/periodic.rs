@@ -6,7 +6,7 @@ use shared_geom::document::Table;
 use shared_geom::error::Explain;
 
 use super::transient::{FROM, REDUNDANT, START};
-use crate::case::{FloquetSettings, PeriodicMethod, PeriodicSettings, Redundant, Start};
+use crate::case::{FloquetSettings, PeriodicMethod, PeriodicSettings, Redundant, Start, Words};
 
 mod keys;
 
@@ -128,5 +128,6 @@ fn floquet(table: &Table<'_>) -> Option<Option<FloquetSettings>> {
         count: count?,
         near: near.into_iter().map(|frequency| TAU * frequency).collect(),
         estimates_error: error?,
+        words: Words::default(),
     }))
 }

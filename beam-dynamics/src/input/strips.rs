@@ -94,6 +94,17 @@ struct LineAir {
     points: usize,
     radial_drag: bool,
     delay: Option<RotorStallDelay>,
+    /// Whether the sections are upside down, with the opposite twist.
+    is_mirrored: bool,
+}
+
+impl BladeAir {
+    /// The mirror image in the plane of rotation.
+    pub fn mirrored(mut self) -> Self {
+        self.along.is_mirrored = true;
+        self.rotor.side = -1.0;
+        self
+    }
 }
 
 /// Reads the table of a `[[blade]]` called `name`, with the line of its beams.
@@ -145,6 +156,7 @@ pub(super) fn read(
             points: points?,
             radial_drag: radial_drag?,
             delay: delay?,
+            is_mirrored: false,
         },
         rotor: rotor?,
     })
@@ -290,6 +302,7 @@ fn place(
             number: number + 1,
             span,
             zero: rotor.map_or_else(Vector3::x, |rotor| rotor.zero),
+            side: rotor.map_or(1.0, |rotor| rotor.side),
         });
         let position = rotor.map_or(span, |rotor| rotor.distance(element.start()));
         placed.points.push(*element.start());
@@ -373,7 +386,8 @@ fn strips(
         let end = start + beam.geometry.length(&ends);
         for (position, length, between) in air.points([*start, end], on_rotor.end) {
             let xi = beam.geometry.position(&ends, position - start);
-            let geometry = geometry(&between, axes, (beam, &ends), (xi, length));
+            let side = if air.is_mirrored { -1.0 } else { 1.0 };
+            let geometry = geometry((&between, side), axes, (beam, &ends), (xi, length));
             let (strip, flap) = air.strip(position, &between, on_rotor);
             strips.push(PlacedStrip {
                 beam: number,
@@ -448,7 +462,7 @@ impl LineAir {
 }
 
 fn geometry(
-    between: &Between,
+    between: (&Between, f64),
     blade_axes: &Matrix3<f64>,
     (beam, ends): (&Beam, &[&Node; 3]),
     (xi, length): (f64, f64),
@@ -464,19 +478,20 @@ fn geometry(
     }
 }
 
-/// The quarter chord from a line along `tangent` \[m\], and the airfoil axes.
+/// The quarter chord from a line along `tangent` \[m\], and the airfoil axes; of an airfoil upside down, which
+/// has the side -1, turned by half a turn about the chord.
 fn airfoil_axes(
-    between: &Between,
+    (between, side): (&Between, f64),
     axes: &Matrix3<f64>,
     tangent: &Vector3<f64>,
 ) -> (Vector3<f64>, Matrix3<f64>) {
     let (sin, cos) = between.twist.sin_cos();
-    let forward = axes * Vector3::new(0.0, cos, sin);
+    let forward = axes * Vector3::new(0.0, cos, side * sin);
     let x = (forward - tangent * tangent.dot(&forward)).normalize();
     // The quarter chord is ahead of the line by (axis - 1/4) chords.
     let ahead = x * ((between.axis - 0.25) * between.chord);
     (
         ahead,
-        Matrix3::from_columns(&[x, tangent.cross(&x), *tangent]),
+        Matrix3::from_columns(&[x, side * tangent.cross(&x), side * tangent]),
     )
 }

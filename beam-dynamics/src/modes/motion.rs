@@ -37,6 +37,11 @@ impl ModeMotion {
         Self { motion, momentum }.scaled()
     }
 
+    /// Of a motion and its momentum, six entries a node, scaled alike.
+    pub fn from_parts(motion: Vec<Complex<f64>>, momentum: Vec<Complex<f64>>) -> Self {
+        Self { motion, momentum }.scaled()
+    }
+
     /// The motion of the nodes.
     pub fn shape(&self) -> ModeShape {
         let part = |first: usize| -> Vec<_> {
@@ -246,7 +251,7 @@ impl MassMatrix {
     }
 
     /// `M q`.
-    fn times(&self, motion: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    pub fn times(&self, motion: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let mut momentum = vec![Complex::new(0.0, 0.0); motion.len()];
         for &(row, column, value) in &self.entries {
             momentum[row] += value * motion[column];

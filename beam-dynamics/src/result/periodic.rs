@@ -48,8 +48,13 @@ pub struct FloquetMode {
     pub residual: f64,
     /// Estimated error of the exponent by the steps [1/s].
     pub error: Option<f64>,
-    /// The dominant motion as text.
+    /// The motion as text.
     pub name: String,
+    /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None` of models
+    /// without multiblade coordinates, whose modes have the name of the largest motion.
+    pub pattern: Option<String>,
+    /// Frequency in axes that turn with the blades [rad/s].
+    pub in_blades: f64,
     /// Motion of all parts at the chosen frequency, which is positive, in the fixed frame: three
     /// entries of each, times the roots of their masses \[any unit\].
     pub shape: Vec<Complex<f64>>,
@@ -58,6 +63,15 @@ pub struct FloquetMode {
 }
 
 impl FloquetMode {
+    /// The motion with the pattern of the blades, as text.
+    pub fn label(&self) -> String {
+        format!(
+            "{}{}",
+            self.name,
+            self.pattern.as_deref().unwrap_or_default()
+        )
+    }
+
     /// Frequency \[rad/s\].
     pub fn frequency(&self) -> f64 {
         self.exponent.im.abs()

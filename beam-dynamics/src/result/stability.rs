@@ -31,6 +31,8 @@ pub struct StabilityRoot {
     pub others: Vec<SeenFrequency>,
     /// The motion as text.
     pub name: String,
+    /// Frequency in axes that turn with the blades, by which the modes of one name are numbered [rad/s].
+    pub in_blades: f64,
     /// The least number of the mode among all modes of its name, from one.
     pub number: usize,
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
@@ -62,6 +64,7 @@ impl StabilityRoot {
             fundamental: 0.0,
             others: Vec::new(),
             name: String::new(),
+            in_blades: exponent.im.abs(),
             number: 1,
             pattern: None,
             waves: None,

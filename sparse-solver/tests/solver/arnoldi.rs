@@ -52,3 +52,36 @@ fn the_largest_pairs_of_large_maps() {
         }
     }
 }
+
+// Four copies of a pair among others, hundreds of times: their vectors are orthonormal in the space of the
+// method, and each is a vector of the map. A dense solver returns vectors of copies that are parallel to 1e-4.
+#[test]
+fn vectors_of_repeated_pairs_are_independent() {
+    for seed in 0..200_usize {
+        let angle = 0.3 + 0.01 * seed as f64;
+        let rest = (0..4).map(|i| (0.5 * (0.8_f64).powi(i), 0.2 + f64::from(i)));
+        let map = Blocks(std::iter::repeat_n((0.9, angle), 4).chain(rest).collect());
+        let found = largest(&map, 16, 50).unwrap();
+        let copies = &found.pairs[..4];
+        for (number, a) in copies.iter().enumerate() {
+            let size = (a.value.norm() - 0.9).abs();
+            assert!(size < 1e-12 && a.residual < 1e-12, "{seed}: {a:?}");
+            for b in &copies[..number] {
+                let entries = |k: usize| {
+                    let at =
+                        |own: &sparse_solver::Ritz| c64::new(own.vector[0][k], own.vector[1][k]);
+                    at(a).conj() * at(b)
+                };
+                let product = (0..16).fold(c64::new(0.0, 0.0), |sum, k| sum + entries(k));
+                assert!(product.norm() < 1e-9, "{seed}: {product}");
+            }
+            let mut parts = a.vector.clone();
+            parts.iter_mut().for_each(|part| map.apply(part).unwrap());
+            for k in 0..16 {
+                let image = c64::new(parts[0][k], parts[1][k]);
+                let own = a.value * c64::new(a.vector[0][k], a.vector[1][k]);
+                assert!((image - own).norm() < 1e-9, "{seed}: {image} {own}");
+            }
+        }
+    }
+}

@@ -27,9 +27,25 @@ fn rotor(name: &str, side: f64) -> String {
     )
 }
 
+/// The right rotor of [`rotor`] by its sense of rotation.
+fn clockwise() -> String {
+    let turned = [
+        ("axis = [0, 0, -1.0]", "direction = \"clockwise\""),
+        (
+            "= -1.0*collective - difference",
+            "= collective + difference",
+        ),
+        ("= -1.0*sine - turn", "= sine + turn"),
+    ];
+    turned.iter().fold(rotor("right", 1.0), |text, (from, to)| {
+        assert!(text.contains(from), "{text}");
+        text.replace(from, to)
+    })
+}
+
 /// The rotorcraft with its center of mass off the middle; x is aft, y to the right and z up. The fuselage
-/// has a drag polar and a lift by its pitch, times areas [m^2].
-fn rotorcraft(off: f64) -> String {
+/// has a drag polar and a lift by its pitch, times areas [m^2]. The search begins with a pitch and a roll.
+fn rotorcraft(off: f64, [pitch, roll]: [f64; 2], stages: &str) -> String {
     let pressure = 0.5 * 1.225 * SPEED * SPEED;
     let mut text = format!(
         "[gravity]\nacceleration = [0, 0, -9.81]\n[air]\ndensity = 1.225\nwind = [{SPEED:?}, 0, 0]\n\
@@ -65,21 +81,26 @@ fn rotorcraft(off: f64) -> String {
         ("difference", 0.0),
         ("sine", -0.03),
         ("turn", 0.0),
-        ("pitch", -0.03),
-        ("roll", 0.0),
+        ("pitch", pitch),
+        ("roll", roll),
     ];
     for (name, guess) in guesses {
         text += &format!(
             "[[trim.control]]\nname = \"{name}\"\nguess = {guess:?}\nscale = 0.1\nstep = 0.1\n"
         );
     }
-    text + "[periodic]\nspeed = 30\nsteps = 12\nstages = \"two\"\ntolerance = 1e-8\nsettle = 1\n[trim]\n"
+    text + &format!(
+        "[periodic]\nspeed = 30\nsteps = 12\nstages = \"{stages}\"\ntolerance = 1e-8\nsettle = 1\n[trim]\n"
+    )
 }
 
-/// Controls that meet the six targets.
-fn controls(off: f64) -> Vec<f64> {
-    let point = &trimmed(&rotorcraft(off))[0];
-    assert!(point.iterations <= 5, "{point:?}");
+/// Attitude of the first guess [rad].
+const GUESS: [f64; 2] = [-0.03, 0.0];
+
+/// Controls that meet the six targets, from an attitude.
+fn controls(off: f64, start: [f64; 2], stages: &str) -> Vec<f64> {
+    let point = &trimmed(&rotorcraft(off, start, stages))[0];
+    assert!(point.iterations <= 6, "{point:?}");
     let sizes = [WEIGHT; 3].into_iter().chain([WEIGHT * ASIDE; 3]);
     for ([found, required], size) in point.targets.iter().zip(sizes) {
         assert!((found - required).abs() < 1e-7 * size, "{point:?}");
@@ -93,7 +114,7 @@ fn controls(off: f64) -> Vec<f64> {
 // change their sign, and the right rotor lifts more if the mass is to the right.
 #[test]
 fn six_forces_of_two_rotors_in_opposite_senses() {
-    let middle = controls(0.0);
+    let middle = controls(0.0, GUESS, "two");
     println!("{middle:?}");
     for odd in [1, 3, 5] {
         assert!(middle[odd].abs() < 1e-7, "{middle:?}");
@@ -104,11 +125,41 @@ fn six_forces_of_two_rotors_in_opposite_senses() {
         "{middle:?}"
     );
     if is_long() {
-        let [right, left] = [0.1, -0.1].map(controls);
+        let [right, left] = [0.1, -0.1].map(|off| controls(off, GUESS, "two"));
         assert!(right[1] > 1e-3, "{right:?}");
         for (i, (right, left)) in right.iter().zip(&left).enumerate() {
             let image = if i % 2 == 1 { -left } else { *left };
             assert!((right - image).abs() < 1e-7, "{i}: {right} {left}");
         }
+    }
+}
+
+// The solution is of the motion alone: from attitudes up to 0.13 rad apart the same controls, to the tolerance
+// of Newton's method, 1e-8, times 10 for the sizes of the controls. In axes of the attitude of the start the
+// controls differ by up to 3e-3 rad with two stages and by 4e-6 rad with three.
+#[test]
+fn the_attitude_of_the_start_does_not_change_the_trim() {
+    for stages in ["two", "three"] {
+        let first = controls(0.1, GUESS, stages);
+        for start in [[0.03, 0.03], [-0.1, -0.03]] {
+            let other = controls(0.1, start, stages);
+            for (first, other) in first.iter().zip(&other) {
+                let off = (first - other).abs();
+                assert!(off < 1e-7, "{stages} {start:?}: {first} {other}");
+            }
+        }
+    }
+}
+
+// The right rotor as the mirror image of the left one, with pitch and thrust of the same sign, has the controls of
+// the rotor that is written upside down.
+#[test]
+fn the_sense_of_rotation_mirrors_a_rotor() {
+    let text = rotorcraft(0.1, GUESS, "two");
+    let keyed = text.replace(&rotor("right", 1.0), &clockwise());
+    assert!(keyed.contains("direction = "));
+    let [written, keyed] = [text, keyed].map(|text| trimmed(&text)[0].controls.clone());
+    for (written, keyed) in written.iter().zip(&keyed) {
+        assert!((written - keyed).abs() < 1e-8, "{written} {keyed}");
     }
 }

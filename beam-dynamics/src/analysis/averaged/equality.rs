@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::Block;
-use super::coordinates::{Coordinates, Slot};
+use crate::analysis::multiblade::{Coordinates, Slot};
 
 /// Difference of two blades relative to the largest number of the block.
 const SAME: f64 = 1e-3;
@@ -23,7 +23,7 @@ pub(super) struct Equality {
 impl Equality {
     /// Adds the coefficients of the equations of one slot by the unknowns of another, in the axes of their
     /// blade if both are of one.
-    pub fn add(&mut self, [row, column]: [&Slot; 2], blades: usize, block: &Block) {
+    pub fn add(&mut self, [row, column]: [&Slot; 2], all: &Coordinates, block: &Block) {
         let (Some((blade, row)), Some((other, column))) = (row.of_blade, column.of_blade) else {
             return;
         };
@@ -31,8 +31,9 @@ impl Equality {
             return;
         }
         let sums = self.sums.entry((row, column));
-        let sums = sums.or_insert_with(|| vec![None; blades]);
-        match &mut sums[blade] {
+        let rotor = all.rotor_of(blade);
+        let sums = sums.or_insert_with(|| vec![None; rotor.count]);
+        match &mut sums[blade - rotor.first] {
             Some(sum) => sum.iter_mut().zip(block).for_each(|(sum, own)| *sum += own),
             empty => *empty = Some(block.clone()),
         }

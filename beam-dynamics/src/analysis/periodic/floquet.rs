@@ -14,7 +14,8 @@ use std::f64::consts::TAU;
 use faer::{Mat, c64};
 use nalgebra::{Complex, Vector3};
 
-use super::content::Observer;
+use super::content::{Motion, Observer};
+use super::equal::separate;
 use super::map::PeriodMap;
 use crate::case::FloquetSettings;
 use crate::model::NODE_UNKNOWNS;
@@ -82,7 +83,9 @@ pub(super) fn table(
     observer: &Observer<'_>,
     coarse: Option<(&Largest, usize)>,
 ) -> FloquetTable {
-    let modes = found.pairs.iter().map(|pair| {
+    let mut pure = found.clone();
+    separate(&mut pure, observer, monodromy.sizes);
+    let modes = pure.pairs.iter().map(|pair| {
         let mut mode = mode((monodromy, pair), settings, observer);
         if let Some((coarse, factor)) = coarse {
             mode.error = error(pair, coarse, observer.period).map(|off| off / factor as f64);
@@ -151,6 +154,10 @@ fn mode(
         share: own.1,
         shape: shape(own.0),
     };
+    let exponent = Complex::new(principal.re, principal.im + f64::from(branch) * base);
+    let named = observer.named(&content, branch, exponent);
+    let (named, pattern) = named.map_or((None, None), |(own, pattern)| (Some(own), Some(pattern)));
+    let largest = chosen.or(content.shares.first());
     FloquetMode {
         multiplier,
         exponent: Complex::new(principal.re, frequency(branch)),
@@ -159,9 +166,14 @@ fn mode(
         others: others.map(seen).collect(),
         residual,
         error: None,
-        name: chosen
-            .or(content.shares.first())
-            .map_or_else(String::new, |own| own.2.clone()),
+        in_blades: named
+            .as_ref()
+            .map_or(frequency(branch), |own| own.in_blades),
+        name: named.map_or_else(
+            || largest.map_or_else(String::new, |own| own.2.clone()),
+            |own| own.name,
+        ),
+        pattern,
         shape: shape(branch),
         is_neutral: (multiplier - 1.0).norm() < NEUTRAL,
     }
@@ -202,7 +214,7 @@ fn follow(
 }
 
 /// Position and rotation of each node in a complex variation.
-type Motions = Vec<[Vector3<Complex<f64>>; 2]>;
+type Motions = Vec<[Motion; 2]>;
 
 /// The motions of a variation, times a factor.
 fn motions(d: &Mat<f64>, nodes: usize, factor: Complex<f64>) -> Motions {

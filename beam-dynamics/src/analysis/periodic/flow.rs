@@ -29,6 +29,9 @@ pub(super) struct Passed<'a> {
 }
 
 /// The map of a state at the first instant to the state a period later.
+///
+/// All steps are in axes that turn as the rotors do at the first instant of this period, so that the map
+/// depends on nothing but the state and its rates: axes of another attitude have other errors.
 pub(super) struct Flow<'a> {
     model: &'a Model,
     dae: Multibody<'a>,
@@ -46,7 +49,7 @@ impl<'a> Flow<'a> {
     pub fn new(model: &'a Model, settings: &PeriodicSettings, steps: usize, state: &State) -> Self {
         let stages = settings.stages();
         let mut dae = Multibody::new(model, [state.clone(), state.clone()], (stages, false));
-        dae.in_kept_axes(settings.start.from);
+        dae.without_own_axes();
         let step = OneStep::new(&dae, settings.three_stages, settings.start.newton);
         Self {
             model,
@@ -89,6 +92,12 @@ impl<'a> Flow<'a> {
         }
     }
 
+    /// Begins a period.
+    fn begin(&mut self, start: &State) {
+        self.dae.begin_at(start);
+        self.dae.keep_axes(self.from);
+    }
+
     /// Converges the step of a number from one; returns its length, iterations and the time of the
     /// conditions at its end.
     fn converge(&mut self, number: usize) -> Result<(f64, usize), StepFailure> {
@@ -123,7 +132,7 @@ impl<'a> Flow<'a> {
         start: &State,
         visit: &mut dyn FnMut(&Passed<'_>) -> bool,
     ) -> Result<State, StepFailure> {
-        self.dae.begin_at(start);
+        self.begin(start);
         for step in 1..=self.steps {
             let (length, iterations) = self.converge(step)?;
             self.dae.accept(self.step.stages() - 1);
@@ -151,6 +160,7 @@ impl<'a> Flow<'a> {
         act: &mut dyn FnMut(&mut State),
     ) -> Result<State, StepFailure> {
         let mut state = start.clone();
+        self.begin(start);
         for step in 1..=self.steps {
             self.dae.begin_at(&state);
             self.converge(step)?;
@@ -165,7 +175,7 @@ impl<'a> Flow<'a> {
     /// The state a period after `start`, and the derivative of this map; `None` instead of the
     /// derivative if the matrix of a step is singular.
     pub fn linearized(&mut self, start: &State) -> Result<(State, Option<PeriodMap>), StepFailure> {
-        self.dae.begin_at(start);
+        self.begin(start);
         let mut maps = Some(Vec::with_capacity(self.steps));
         for number in 1..=self.steps {
             let (length, _) = self.converge(number)?;

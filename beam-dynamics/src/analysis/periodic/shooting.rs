@@ -164,8 +164,7 @@ impl Shooting<'_> {
                 return Err(PeriodicFailure::bound(control, bound, worst));
             }
             let base = end_rates(state.clone(), &end);
-            *state = base.clone();
-            state.correct(&d);
+            *state = moved(&base, &d);
             tried = Some(Tried::new(base, d, worst));
             iterations += 1;
         }
@@ -184,8 +183,8 @@ impl Shooting<'_> {
         let Some(tried) = tried else {
             return Err(failure.into());
         };
-        state.copy_from(&tried.base);
         if tried.halvings == HALVINGS {
+            state.copy_from(&tried.base);
             return Err(match self.border.count() {
                 0 => failure.into(),
                 _ => PeriodicFailure::Unreached {
@@ -197,7 +196,7 @@ impl Shooting<'_> {
         }
         tried.halvings += 1;
         tried.d.iter_mut().for_each(|d| *d *= 0.5);
-        state.correct(&tried.d);
+        *state = moved(&tried.base, &tried.d);
         Ok(())
     }
 
@@ -373,6 +372,18 @@ pub(super) fn part_of(turn: f64, has_controls: bool) -> f64 {
     } else {
         1.0
     }
+}
+
+/// A state after a correction; its rates turn with the nodes, and with them the axes of the rotors in the next
+/// period.
+fn moved(base: &State, d: &[f64]) -> State {
+    let mut state = base.clone();
+    state.correct(d);
+    for (node, before) in state.nodes.iter_mut().zip(&base.nodes) {
+        let turn = node.rotation * before.rotation.transpose();
+        node.angular_velocity = turn * before.angular_velocity;
+    }
+    state
 }
 
 /// The state with the rates, multipliers and algebraic scalars of the end of the period, from which

@@ -6,6 +6,7 @@ use shared_geom::rotation::gibbs;
 
 use crate::case::Model;
 use crate::model::{Conditions, Equation, NODE_UNKNOWNS, State};
+use crate::modes::MassMatrix;
 
 /// The variation that leads from the state `start` to the state `end`, zero for algebraic unknowns:
 /// rotations as parameters of `R_end R_start^T`, so that whole turns vanish.
@@ -35,7 +36,7 @@ pub(super) fn sizes(
     period: f64,
 ) -> Vec<f64> {
     let system = &model.system;
-    let masses = masses(model, (state, conditions));
+    let (_, masses) = masses(model, (state, conditions));
     let known = masses.iter().filter(|masses| masses[0] > 0.0);
     let count = known.clone().count().max(1) as f64;
     let mean = known.map(|masses| masses[0]).sum::<f64>() / count;
@@ -66,8 +67,11 @@ pub(super) fn sizes(
     sizes
 }
 
-/// Mass \[kg\] and mean moment of inertia \[kg m^2\] of each node.
-pub(super) fn masses(model: &Model, (state, conditions): (&State, &Conditions)) -> Vec<[f64; 2]> {
+/// The mass matrix, and mass \[kg\] and mean moment of inertia \[kg m^2\] of each node.
+pub(super) fn masses(
+    model: &Model,
+    (state, conditions): (&State, &Conditions),
+) -> (MassMatrix, Vec<[f64; 2]>) {
     let tangent = model.system.tangent(state, conditions);
     let mean = |node: usize, equation: Equation| {
         let first = NODE_UNKNOWNS * node + equation.row();
@@ -75,9 +79,10 @@ pub(super) fn masses(model: &Model, (state, conditions): (&State, &Conditions)) 
         diagonal.sum::<f64>() / 3.0
     };
     let nodes = 0..state.nodes.len();
-    nodes
-        .map(|node| [Equation::Momentum, Equation::AngularMomentum].map(|of| mean(node, of)))
-        .collect()
+    let of_nodes =
+        nodes.map(|node| [Equation::Momentum, Equation::AngularMomentum].map(|of| mean(node, of)));
+    let matrix = MassMatrix::new(&tangent.by_rates, state.nodes.len());
+    (matrix, of_nodes.collect())
 }
 
 /// The index of the largest entry relative to its size, and this part.

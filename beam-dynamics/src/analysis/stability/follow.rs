@@ -84,7 +84,7 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
 
 /// Numbers the modes through all points and keeps the frequency of each mode; returns their names. A
 /// mode that was missing continues where a root of its name and pattern is near to its last one. New
-/// modes of a point are named by ascending frequency.
+/// modes of a point are named by ascending frequency in the axes of the blades.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     // The last root of each mode.
@@ -100,8 +100,16 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
         continued(present, (&last, false), roots, &mut modes);
         continued(&absent, (&last, true), roots, &mut modes);
         let mut new: Vec<_> = (0..modes.len()).filter(|i| modes[*i].is_none()).collect();
-        let frequency = |index: &usize| roots[*index].frequency();
-        new.sort_by(|a, b| frequency(a).total_cmp(&frequency(b)));
+        // Real roots that are no overdamped modes after the oscillations.
+        let order = |index: &usize| {
+            let root: &StabilityRoot = &roots[*index];
+            let is_real = root.frequency() == 0.0 && !root.is_overdamped;
+            (is_real, root.in_blades)
+        };
+        new.sort_by(|a, b| {
+            let (a, b) = (order(a), order(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
         for index in new {
             names.push(new_name(&names, &roots[index]));
             last.push(roots[index].clone());

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use shared_geom::error::Diagnostics;
 
 use crate::analysis::averaged::{AveragedMode, averaged_modes, possible};
+use crate::analysis::multiblade::pattern;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
 use crate::case::{FloquetSettings, StabilityMethod, StabilitySettings, TrimSettings, Words};
@@ -125,9 +126,10 @@ impl<'a> Source<'a> {
     /// The trimmed model at a value, its state and the controls.
     fn trimmed(&mut self, at: f64, trim: &TrimSettings) -> Result<(Input, Trimmed), Failed> {
         let requested = (self.multipliers(), self.is_requested(at));
+        let words = self.settings.words;
         let read = |given: &[(String, f64)]| -> Result<Input, Diagnostics> {
             let mut input = (self.read)(given)?;
-            analyze_period(&mut input, requested);
+            analyze_period(&mut input, requested, words);
             Ok(input)
         };
         let near = self.nearest(at);
@@ -210,14 +212,15 @@ impl<'a> Source<'a> {
             self.complete_to = Some(known.min(last));
         }
         let mut modes = found.modes;
-        modes.retain(|mode| is_counted || mode.oscillates || mode.is_slow);
+        modes.retain(|mode| is_counted || mode.named.oscillates || mode.is_slow);
         Ok(averaged_roots(&modes, words))
     }
 
     /// The periodic motion from the nearest known one, or from the start of the file.
     fn periodic(&mut self, at: f64) -> Result<PeriodicResult, Failed> {
         let mut input = self.input(at)?;
-        analyze_period(&mut input, (self.multipliers(), self.is_requested(at)));
+        let requested = (self.multipliers(), self.is_requested(at));
+        analyze_period(&mut input, requested, self.settings.words);
         let settings = input
             .periodic
             .as_ref()
@@ -240,27 +243,44 @@ impl<'a> Source<'a> {
 
     /// The roots of the large multipliers, or all if their number is given.
     fn shown(&self, table: &FloquetTable, period: f64, doubts: bool) -> Vec<StabilityRoot> {
+        let roots = table
+            .modes
+            .iter()
+            .map(|mode| root_of_period(mode, period, doubts));
+        let mut roots = numbered(roots.collect());
+        // The table is by falling size.
+        roots.sort_by(|a, b| b.growth().total_cmp(&a.growth()));
         let mut sum = 0;
-        let modes = table.modes.iter().filter(|mode| {
-            let is_shown =
-                self.settings.count.is_some() || sum < LEAST || mode.multiplier.norm() > SHOWN;
-            sum += roots_of(mode);
+        roots.retain(|root| {
+            let size = root.multiplier.map_or(0.0, |own| own.norm());
+            let is_shown = self.settings.count.is_some() || sum < LEAST || size > SHOWN;
+            sum += if root.multiplier.is_some_and(|own| own.im != 0.0) {
+                2
+            } else {
+                1
+            };
             is_shown
         });
-        let root = |mode| root_of_period(mode, period, doubts);
-        modes.map(root).collect()
+        roots
     }
 }
 
 /// Requests `count` multipliers of the periodic motion, or none, with errors at requested values unless the
 /// file omits them.
-fn analyze_period(input: &mut Input, (count, is_requested): (Option<usize>, bool)) {
+fn analyze_period(
+    input: &mut Input,
+    (count, is_requested): (Option<usize>, bool),
+    words: Option<Words>,
+) {
+    let style = input.modes.as_ref().map(|own| own.style.words);
+    let words = words.or(style).unwrap_or_default();
     if let Some(settings) = &mut input.periodic {
         let own = settings.floquet.take();
         settings.floquet = count.map(|count| FloquetSettings {
             count,
             near: own.as_ref().map_or_else(Vec::new, |own| own.near.clone()),
-            estimates_error: own.map_or(is_requested, |own| own.estimates_error),
+            estimates_error: own.as_ref().map_or(is_requested, |own| own.estimates_error),
+            words,
         });
     }
 }
@@ -281,18 +301,20 @@ fn nothing(reason: &str) -> Failed {
     [reason.to_owned(), remedy.to_owned()]
 }
 
-/// Modes of averaged equations; their frequencies are the ones in the fixed frame. Each has its number
-/// among all of its name, by ascending frequency.
+/// Modes of averaged equations; their frequencies are the ones in the fixed frame.
 fn averaged_roots(modes: &[AveragedMode], words: Words) -> Vec<StabilityRoot> {
-    let mut roots: Vec<_> = modes
-        .iter()
-        .map(|mode| averaged_root(mode, words))
-        .collect();
-    roots.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    let roots = modes.iter().map(|mode| averaged_root(mode, words));
+    numbered(roots.collect())
+}
+
+/// Gives each root its number among all of its name, by ascending frequency in the axes of the blades.
+fn numbered(mut roots: Vec<StabilityRoot>) -> Vec<StabilityRoot> {
+    roots.sort_by(|a, b| a.in_blades.total_cmp(&b.in_blades));
     for index in 0..roots.len() {
         let own = &roots[index];
-        let is_alike =
-            |root: &&StabilityRoot| (&root.name, &root.pattern) == (&own.name, &own.pattern);
+        let is_alike = |root: &&StabilityRoot| {
+            (&root.name, &root.pattern) == (&own.name, &own.pattern) && own.pattern.is_some()
+        };
         let number = 1 + roots[..index].iter().filter(is_alike).count();
         roots[index].number = number;
     }
@@ -300,8 +322,8 @@ fn averaged_roots(modes: &[AveragedMode], words: Words) -> Vec<StabilityRoot> {
 }
 
 fn averaged_root(mode: &AveragedMode, words: Words) -> StabilityRoot {
-    let whirl = mode.whirl.filter(Whirl::is_pure);
-    let pattern = whirl.map_or_else(String::new, |w| format!(" {}", w.word_in(words)));
+    let named = &mode.named;
+    let whirl = named.whirl.filter(Whirl::is_pure);
     let is_real = mode.exponent.im == 0.0;
     StabilityRoot {
         doubt: if is_real {
@@ -309,9 +331,11 @@ fn averaged_root(mode: &AveragedMode, words: Words) -> StabilityRoot {
         } else {
             ROUND_OFF * mode.exponent.norm()
         },
-        name: mode.name.clone(),
-        pattern: Some(pattern),
-        waves: whirl.map(|whirl| whirl.harmonic),
+        name: named.name.clone(),
+        in_blades: named.in_blades,
+        pattern: Some(pattern(named.whirl, words)),
+        // An overdamped whirl continues either of two conjugate ones.
+        waves: whirl.filter(|_| named.oscillates).map(|own| own.harmonic),
         shape: mode.motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(mode.exponent)
     }
@@ -338,6 +362,8 @@ fn root_of_period(mode: &FloquetMode, period: f64, doubts: bool) -> StabilityRoo
         fundamental: TAU / period,
         others: mode.others.clone(),
         name: mode.name.clone(),
+        in_blades: mode.in_blades,
+        pattern: mode.pattern.clone(),
         shape: [mode.shape.clone(), mode.shape.clone()],
         ..StabilityRoot::new(mode.exponent)
     }

@@ -122,10 +122,14 @@ impl AirStrip {
         }
         let along = shaft.axis.dot(&sum);
         if of != RotorSum::Power {
+            let side = match of {
+                RotorSum::Thrust => self.location.side,
+                _ => 1.0,
+            };
             if let Some(row) = row {
-                self.add_slope((of, 1.0), at, (&shaft, &forces, &sum), row);
+                self.add_slope((of, side), at, (&shaft, &forces, &sum), row);
             }
-            return Some(along);
+            return Some(side * along);
         }
         let carrier = self.carrier(at);
         let flow = self.flow(&carrier, at);

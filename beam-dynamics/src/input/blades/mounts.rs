@@ -18,6 +18,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
 
+use super::MIRROR;
 use super::problem::BladeProblem;
 use crate::input::builder::ModelBuilder;
 use crate::input::frames::IN;
@@ -166,9 +167,13 @@ pub(super) fn read(
     let root = root_position(table, &name);
     let precone = shallow(table, &PRECONE);
     let pitch = table.get(&PITCH);
+    let side = match table.given(&MIRROR) {
+        Some(true) => -1.0,
+        _ => 1.0,
+    };
     let (hub, named, root) = (hub(table, builder)?, named?, root?);
     let precone = precone?;
-    let cone = about(Vector3::new(0.0, -precone, 0.0));
+    let cone = about(Vector3::new(0.0, -side * precone, 0.0));
     let mut mounts = Vec::with_capacity(named.len());
     for (name, azimuth) in named {
         let Some(axes) = hub.blade_axes(*azimuth) else {
@@ -181,6 +186,7 @@ pub(super) fn read(
         let (root, radius) = match root {
             RootPosition::Radius(radius) => (center + radius * span, radius),
             RootPosition::At(position) => {
+                let position = Vector3::new(position.x, position.y, side * position.z);
                 let root = hub.at_azimuth(position, *azimuth);
                 (root, (root - center).dot(&span))
             }
@@ -192,7 +198,7 @@ pub(super) fn read(
             radius,
             precone,
             axes,
-            pitch: pitch?,
+            pitch: side * pitch?,
         });
     }
     Some(mounts)

@@ -110,6 +110,14 @@ pub enum BladeProblem {
         /// Length of the part \[m\].
         expected: f64,
     },
+    /// A mirror image of a section that has none.
+    #[error("blade \"{blade}\" is a mirror image, and its sections have {found}")]
+    NoMirror {
+        /// Name of the blade.
+        blade: String,
+        /// A part of a section, as text.
+        found: &'static str,
+    },
     /// A root with hinges and with a clamp option.
     #[error("blade \"{blade}\" has \"hinges\" and \"clamp_root\", expected one of them")]
     HingesAndClamp {
@@ -133,6 +141,12 @@ impl Explain for BladeProblem {
                 "of an htc file of HAWC2 the body of the blade is read: give a file of the part alone, as the \
                  st file of the tower"
             }
+            Self::Both {
+                first: "mirror", ..
+            } => {
+                "hold the root by joints of its own, as a [[rotor]] with direction = \"clockwise\" does"
+            }
+            Self::NoMirror { .. } => "give the sections stiffness, mass and damping only",
             Self::Both { first: "part", .. } => "the blade of which it is a part has the strips",
             Self::Both { .. } => {
                 "\"azimuths\" gives each angle; \"count\" divides the circle, from \"azimuth\""

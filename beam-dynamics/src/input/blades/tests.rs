@@ -296,6 +296,10 @@ const WRONG_CARDS: &[(&str, &str)] = &[
         "has \"hinges\" and \"clamp_root\"",
     ),
     (
+        "hinges = [{ kind = \"lag\" }]\nmirror = true\n",
+        "has \"mirror\" and \"hinges\", expected one of them",
+    ),
+    (
         "hinges = [{ kind = \"lag\", offset = 2 }]\n",
         "is at 2 m from the center of rotation, outboard",
     ),

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::base::{Base, Hinge, Local};
 use super::controls::Sum;
@@ -17,11 +17,14 @@ const AXES: [Vector3<f64>; 3] = [
     Vector3::new(0.0, 0.0, 1.0),
     Vector3::new(1.0, 0.0, 0.0),
 ];
-/// Rotation vectors that turn the first axis of a blade to them.
-const TURNS: [Vector3<f64>; 3] = [
-    stops::ACROSS,
-    Vector3::new(0.0, -FRAC_PI_2, 0.0),
-    Vector3::new(0.0, 0.0, 0.0),
+/// Rotation vectors that turn the first axis of a blade to them, or to their mirror images.
+const TURNS: [[Vector3<f64>; 2]; 3] = [
+    [
+        Vector3::new(0.0, 0.0, -FRAC_PI_2),
+        Vector3::new(0.0, 0.0, FRAC_PI_2),
+    ],
+    [Vector3::new(0.0, -FRAC_PI_2, 0.0); 2],
+    [Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, PI)],
 ];
 /// Index of lag in the kinds of hinges.
 const LAG: usize = 1;
@@ -68,7 +71,10 @@ pub(super) fn cards(
         let nodes = [inner.as_str(), &node];
         cards.extend(match hinge.kind {
             PITCH => pitch::cards(base, (k, nodes), hinge, (control, command)),
-            kind => vec![base.hinge(&node, nodes, (&arm, AXES[kind]), &hinge.restraint)],
+            kind => {
+                let axis = base.turned(&AXES[kind]);
+                vec![base.hinge(&node, nodes, (&arm, axis), &hinge.restraint)]
+            }
         });
         cards.extend(restraints(base, (&node, nodes), &arm, hinge));
         inner = node;
@@ -88,7 +94,8 @@ fn restraints(
     arm: &Local,
     hinge: &Hinge,
 ) -> Vec<Card> {
-    let (of, axes) = ((name, nodes), (arm, TURNS[hinge.kind]));
+    let turn = TURNS[hinge.kind][usize::from(base.mirror)];
+    let (of, axes) = ((name, nodes), (arm, turn));
     let stop = stops::cards(base, of, axes, hinge);
     let damper = hinge.damper.iter();
     let damper = damper.flat_map(|law| damper::of_hinge(base, of, axes, law));
@@ -106,7 +113,7 @@ pub(super) fn blades(base: &Base, keys: &[(String, Content)]) -> Vec<Card> {
     let frame = base.frame_of_blades();
     let mut cards = Vec::new();
     if frame != base.name {
-        let below = Vector3::z() * -base.undersling;
+        let below = base.placed(&(Vector3::z() * -base.undersling));
         cards.push(
             base.listed("frame")
                 .with("name", frame.as_str())
@@ -127,6 +134,7 @@ pub(super) fn line(base: &Base, name: &str, keys: &[(String, Content)]) -> Card 
         .with("azimuth", Content::quantity(base.azimuth, "rad"))
         .with("count", base.count)
         .with("clamp_root", false)
+        .with_some("mirror", base.mirror.then_some(true))
         .with_all(keys.iter().cloned());
     let spin = base
         .spin

@@ -7,6 +7,10 @@
 //! ```text
 //! psi_k = psi_1 + 2 pi (k - 1) / N        A_k = A Rz(psi_k) Ry(-b)        x_k = x - A u e_z
 //! ```
+//!
+//! A rotor that turns clockwise about its axis is the mirror image, in the plane of rotation, of one whose
+//! third axis is against it. With S = diag(1, 1, -1) positions are S x, axes S A_k S, and in all axes of the
+//! image rotation vectors, which are axial, are -S r.
 
 use nalgebra::{Matrix3, Vector3};
 use shared_geom::document::{Card, Content, Document};
@@ -14,6 +18,7 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
 
+use super::controls::Sum;
 use super::damper_law::DamperLaw;
 
 /// Units of plain numbers in expressions, in SI.
@@ -114,6 +119,8 @@ pub(super) struct Base {
     pub undersling: f64,
     /// Distance of the universal joints of a gimbal from the center \[m\].
     pub link: Option<f64>,
+    /// Whether it is the mirror image, in its plane, of a rotor with its axes.
+    pub mirror: bool,
     /// Speed of its nodes at the start \[rad/s\]; `None` if they begin at rest.
     pub spin: Option<f64>,
     /// Spring, damper and stops of the tilt.
@@ -173,6 +180,31 @@ impl Base {
         }
     }
 
+    /// The sign of heights and of rotations across the shaft.
+    pub fn side(&self) -> f64 {
+        if self.mirror { -1.0 } else { 1.0 }
+    }
+
+    /// A position, or its mirror image.
+    pub fn placed(&self, position: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(position.x, position.y, self.side() * position.z)
+    }
+
+    /// A rotation vector, or its mirror image.
+    pub fn turned(&self, rotation: &Vector3<f64>) -> Vector3<f64> {
+        let side = self.side();
+        Vector3::new(side * rotation.x, side * rotation.y, rotation.z)
+    }
+
+    /// A rotation across the shaft, or a height, over time.
+    pub fn signed(&self, sum: &Sum) -> Sum {
+        if self.mirror {
+            sum.negative()
+        } else {
+            sum.clone()
+        }
+    }
+
     /// Azimuth of blade `k`, from zero \[rad\].
     pub fn azimuth_of(&self, k: usize) -> f64 {
         self.azimuth + TAU * k as f64 / self.count as f64
@@ -193,8 +225,8 @@ impl Base {
         let turn = vector::to_rotation(&(Vector3::z() * self.azimuth_of(k)));
         Local {
             name: format!("{} arm {}", self.name, k + 1),
-            origin: Vector3::z() * -self.undersling,
-            axes: turn * vector::to_rotation(&(Vector3::y() * -self.precone)),
+            origin: self.placed(&(Vector3::z() * -self.undersling)),
+            axes: turn * vector::to_rotation(&self.turned(&(Vector3::y() * -self.precone))),
             is_pitched: false,
         }
     }
@@ -204,7 +236,7 @@ impl Base {
         let arm = self.arm(k);
         Local {
             name: format!("{} pitched", arm.name),
-            axes: arm.axes * vector::to_rotation(&(Vector3::x() * self.pitch)),
+            axes: arm.axes * vector::to_rotation(&self.turned(&(Vector3::x() * self.pitch))),
             is_pitched: true,
             ..arm
         }

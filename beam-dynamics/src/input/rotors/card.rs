@@ -105,6 +105,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
         pitch: 0.0,
         undersling: undersling?,
         link: link?,
+        mirror: placement.mirror,
         spin: context.moves.then_some(shaft.given.unwrap_or(0.0)),
         tilt: tilt?.unwrap_or_default(),
         yoke: yoke?,
@@ -139,6 +140,8 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
 struct Placement {
     center: Vector3<f64>,
     axes: Matrix3<f64>,
+    /// Whether the rotor is the mirror image of one with these axes.
+    mirror: bool,
     /// Node that carries the shaft.
     carrier: Option<String>,
     /// Mount of the shaft, and the node that holds it.
@@ -147,12 +150,15 @@ struct Placement {
 
 fn placement(table: &Table<'_>, name: &str, context: &Context) -> Option<Placement> {
     let (carrier, center) = (table.get(&keys::NODE), table.get(&keys::CENTER));
-    let (axes, mount) = (axes(table), mounts::read(table, name, context));
+    let clockwise = table.get(&keys::DIRECTION).map(|index| index == 1);
+    let (axes, mount) = (axes(table, clockwise), mounts::read(table, name, context));
     let (carrier, center, axes, mount) = (carrier?, center?, axes?, mount?);
+    let mirror = clockwise?;
     let Some(mount) = mount else {
         return Some(Placement {
             center,
             axes,
+            mirror,
             carrier,
             mount: None,
         });
@@ -160,7 +166,8 @@ fn placement(table: &Table<'_>, name: &str, context: &Context) -> Option<Placeme
     let frame = mount.hub_frame(table)?;
     Some(Placement {
         center: frame.center,
-        axes: axes_of(table, &frame.axis, &frame.aft)?,
+        axes: axes_of(table, &along(frame.axis, mirror), &frame.aft)?,
+        mirror,
         carrier: Some(mount.node(name)),
         mount: Some((mount, carrier)),
     })
@@ -177,13 +184,18 @@ fn name(table: &Table<'_>) -> Option<String> {
 }
 
 /// Axes of a rotor by the keys of its card.
-fn axes(table: &Table<'_>) -> Option<Matrix3<f64>> {
+fn axes(table: &Table<'_>, clockwise: Option<bool>) -> Option<Matrix3<f64>> {
     let (axis, aft) = (table.get(&keys::AXIS), table.get(&keys::AFT));
     let is_mounted = [TOWER.name(), NACELLE.name(), PYLON.name()];
     if is_mounted.into_iter().any(|key| table.has(key)) {
         return Some(Matrix3::identity());
     }
-    axes_of(table, &axis?, &aft?)
+    axes_of(table, &along(axis?, clockwise?), &aft?)
+}
+
+/// The direction of the rotation vector: against the axis of a clockwise rotor.
+fn along(axis: Vector3<f64>, clockwise: bool) -> Vector3<f64> {
+    if clockwise { -axis } else { axis }
 }
 
 /// Axes of a rotor: aft, across, along the shaft.

@@ -202,6 +202,18 @@ impl Sum {
             .extend(control.map(|control| (control.clone(), factor)));
     }
 
+    /// The sum with the opposite sign.
+    pub fn negative(&self) -> Self {
+        let terms = self.0.iter().map(|(control, factor)| {
+            let factor = match factor {
+                Some(factor) => format!("(-1)*({factor})"),
+                None => "(-1)".to_owned(),
+            };
+            (control.clone(), Some(factor))
+        });
+        Self(terms.collect())
+    }
+
     /// Whether it has no terms.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -77,6 +77,16 @@ pub(super) struct Ends {
     pub blade: Vector3<f64>,
 }
 
+impl Ends {
+    /// The ends of the rotor, or of its mirror image.
+    fn placed(&self, base: &Base) -> Self {
+        Self {
+            hub: base.placed(&self.hub),
+            blade: base.placed(&self.blade),
+        }
+    }
+}
+
 /// A damper along the line from a point of the yoke to a point of a part of blade `k`.
 pub(super) fn of_ends(
     base: &Base,
@@ -86,6 +96,7 @@ pub(super) fn of_ends(
 ) -> Vec<Card> {
     let (arm, name) = (base.arm(k), base.of_blade(k, "damper"));
     let of = Component::elongation(&base.units);
+    let ends = ends.placed(base);
     let offsets = [lengths(&arm.point(&ends.hub)), lengths(&Vector3::zeros())];
     let cards = vec![
         base.node(&name, &arm, ends.blade),
@@ -121,6 +132,7 @@ pub(super) fn of_blades(
             .with("nodes", Content::texts([part, name]));
         [base.node(name, &base.arm(blade), place), rigid]
     };
+    let ends = ends.placed(base);
     let ends = [
         end(&other, after, ends.hub, next),
         end(&name, k, ends.blade, part),

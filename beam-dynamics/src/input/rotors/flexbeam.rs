@@ -170,7 +170,10 @@ impl Bearingless {
             Control::Prescribed => Some(
                 base.joint(&node, "rotation", &nodes)
                     .with("in", arm.name.as_str())
-                    .with("rotation", Content::table([("x", command.content())])),
+                    .with(
+                        "rotation",
+                        Content::table([("x", base.signed(command).content())]),
+                    ),
             ),
             Control::Bearing(link) | Control::Coupled(link) => {
                 Some(pitch::coupled(base, (k, &node), &arm, (link, command)))

@@ -36,6 +36,10 @@ keys! {
     /// chooses the sense only.
     pub(super) AXIS: Vector3<f64> = "axis", [Vector(3, Dimension::NUMBER)],
         or "[0, 0, 1]" = Vector3::z(), "[0.1, 0, 1]";
+    /// Sense of rotation as seen against `axis`, from above on a helicopter: counterclockwise about `axis`,
+    /// or its mirror image, clockwise; `axis` then is toward the thrust.
+    pub(super) DIRECTION: usize = "direction", [Word(&DIRECTIONS)],
+        or "\"counterclockwise\"" = 0, "\"clockwise\"";
     /// Direction of azimuth zero; its part across the axis counts.
     pub(super) AFT: Vector3<f64> = "aft", [Vector(3, Dimension::NUMBER)],
         or "[1, 0, 0]" = Vector3::x(), "[0, 1, 0]";
@@ -72,6 +76,9 @@ keys! {
     with INERTIA.schema, FLEXBEAM.schema, TORQUE_TUBE.schema, SNUBBER.schema,
         LAG_DAMPER.schema, TRAIN.schema, FOOT.schema, TOWER.schema, NACELLE.schema, PYLON.schema;
 }
+
+/// Words of the sense of rotation.
+const DIRECTIONS: [&str; 2] = ["counterclockwise", "clockwise"];
 
 /// Springs, dampers and stops of the tilt.
 const TILT_TABLE: TableSchema = TableSchema {

@@ -10,7 +10,7 @@
 //!
 //! so that the pitch is `theta - K_p beta` without a moment about the bearing, and the moment
 //! acts on flapping too. The sign is the one of rotors whose pitch falls with flapping up for
-//! positive `delta_3`.
+//! positive `delta_3`. Of the mirror image n and theta have the opposite sign.
 
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
@@ -51,14 +51,15 @@ pub(super) fn cards(
 ) -> Vec<Card> {
     let arm = base.arm(k);
     let name = base.of_blade(k, "pitch");
-    let bearing = |restraint: &Restraint| base.hinge(&name, nodes, (&arm, Vector3::x()), restraint);
+    let axis = base.turned(&Vector3::x());
+    let bearing = |restraint: &Restraint| base.hinge(&name, nodes, (&arm, axis), restraint);
     match control {
         Control::Free => vec![bearing(&hinge.restraint)],
         Control::Prescribed => vec![
             base.joint(&name, "revolute", &nodes)
                 .with("in", arm.name.as_str())
                 .with("at", lengths(&Vector3::new(hinge.offset, 0.0, 0.0)))
-                .with("axis", Content::numbers([1.0, 0.0, 0.0]))
+                .with("axis", Content::numbers(axis.iter().copied()))
                 .with("angle", command.content()),
         ],
         Control::Bearing(link) => {
@@ -130,7 +131,7 @@ fn law(base: &Base, link: &Link, command: &Sum) -> Content {
     let spring = Content::table([
         ("kind", "linear".into()),
         ("stiffness", matrix(link.stiffness / units.moment)),
-        ("prestrain", Content::numbers([1.0, 0.0, 0.0])),
+        ("prestrain", Content::numbers([base.side(), 0.0, 0.0])),
         ("prestrain_drive", command.content()),
     ]);
     let damper = Content::table([

@@ -7,7 +7,7 @@
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
-use super::base::{Base, lengths, signed};
+use super::base::{Base, Units, lengths, signed};
 use super::controls::{Control, Pitch, Sum};
 use super::distributor::{Actuators, Links, Position};
 use super::keys::COLLECTIVE;
@@ -69,7 +69,7 @@ impl Plate {
     pub fn cards(&self, base: &Base, pitch: &Pitch, shaft: &Shaft) -> Result<Vec<Card>, Located> {
         let motion = self.motion(base, pitch)?;
         let [plate, turning] = ["plate", "rotating plate"].map(|part| base.part(part));
-        let (local, center) = (base.local(), Vector3::z() * -self.links.below);
+        let (local, center) = (base.local(), self.center(base));
         let mut cards = vec![
             base.fixed_node(&plate, &local, center),
             base.node(&turning, &local, center),
@@ -78,18 +78,25 @@ impl Plate {
             .joint_to_mast(&base.part("plate guide"), "total", &plate)
             .with("locked", Content::texts(["x", "y", "about z"]));
         match &self.actuators {
-            None => cards.push(prescribed(guide, &motion)),
+            None => cards.push(prescribed(base, guide, &motion)),
             Some(actuators) => {
                 cards.push(guide);
                 cards.extend(self.actuator_cards(base, actuators, (&motion, pitch))?);
             }
         }
+        let angle = match shaft.angle(&base.units) {
+            Some(angle) if self.actuators.is_some() => {
+                let yaw = yaw_text(&base.units, (&motion, pitch))?;
+                Some(shaft.angle_and(&base.units, (angle, yaw)))
+            }
+            angle => angle,
+        };
         let bearing = base.joint(&base.part("plate bearing"), "revolute", &[&plate, &turning]);
         cards.push(
             bearing
                 .with("in", base.name.as_str())
                 .with("axis", Content::numbers([0.0, 0.0, 1.0]))
-                .with_some("angle", shaft.angle(&base.units)),
+                .with_some("angle", angle),
         );
         if shaft.is_free() {
             let nodes = [base.hub(), turning];
@@ -109,12 +116,14 @@ impl Plate {
         actuators: &Actuators,
         (motion, pitch): (&Motion, &Pitch),
     ) -> Result<Vec<Card>, Located> {
-        let (local, center) = (base.local(), Vector3::z() * -self.links.below);
+        let (local, center) = (base.local(), self.center(base));
         let plate = base.part("plate");
         let mut cards = Vec::new();
         for (number, &azimuth) in actuators.azimuths.iter().enumerate() {
             let name = base.part(&format!("actuator {}", number + 1));
-            let [end, foot] = actuators.ends(azimuth).map(|end| center + end);
+            let [end, foot] = actuators
+                .ends(azimuth)
+                .map(|end| center + base.placed(&end));
             cards.push(base.fixed_node(&name, &local, end));
             cards.push(
                 base.listed("rigid")
@@ -144,11 +153,17 @@ impl Plate {
         Ok(cards)
     }
 
+    /// Its center in the undeformed model \[m\].
+    fn center(&self, base: &Base) -> Vector3<f64> {
+        base.placed(&(Vector3::z() * -self.links.below))
+    }
+
     /// The link of blade `k` to its node that has the pitch, at an offset along it \[m\].
     pub fn link(&self, base: &Base, k: usize, (node, offset): (&str, f64)) -> Card {
         let turning = base.part("rotating plate");
         let azimuth = base.azimuth_of(k);
         let [top, bottom] = [self.links.top(azimuth, 0.0), self.links.bottom(azimuth)];
+        let [top, bottom] = [top, bottom].map(|end| base.placed(&end));
         let (name, nodes) = (base.of_blade(k, "pitch link"), [turning.as_str(), node]);
         let Some(stiffness) = self.stiffness else {
             return base
@@ -167,7 +182,7 @@ impl Plate {
                 ("viscosity", Content::quantity(self.damping, "N*s/m")),
             ])
         };
-        let center = Vector3::z() * -self.links.below;
+        let center = self.center(base);
         let [x, y] = self.links.horn;
         let ends = [bottom - center, Vector3::new(x - offset, y, 0.0)];
         base.listed("rod")
@@ -180,14 +195,15 @@ impl Plate {
 }
 
 /// The guide of a prescribed plate.
-fn prescribed(guide: Card, motion: &Motion) -> Card {
+fn prescribed(base: &Base, guide: Card, motion: &Motion) -> Card {
+    let side = base.side();
     let [height, x, y] = match motion {
         Motion::At([height, x, y]) => [
-            Content::quantity(*height, "m"),
-            Content::quantity(*x, "rad"),
-            Content::quantity(*y, "rad"),
+            Content::quantity(side * height, "m"),
+            Content::quantity(side * x, "rad"),
+            Content::quantity(side * y, "rad"),
         ],
-        Motion::Linear(sums) => [0, 1, 2].map(|i| sums[i].content()),
+        Motion::Linear(sums) => [0, 1, 2].map(|i| base.signed(&sums[i]).content()),
     };
     guide
         .with("displacement", Content::table([("z", height)]))
@@ -203,6 +219,29 @@ fn texts(pitch: &Pitch, sums: &[Sum; 3]) -> Result<[String; 3], Located> {
     let drive = controls.flatten().find_map(Control::drive);
     let (line, key) = drive.unwrap_or((sums[0].line(), COLLECTIVE.name()));
     Err((line, RotorProblem::NotWritten { key }))
+}
+
+/// The angle, in declared units, from the plate with scissors to the one that is turned by the rotation vector
+/// `(a_x, a_y, 0)`, about their common normal: both have the same pitch of the blades if the rotating plate is
+/// turned by it.
+///
+/// ```text
+/// sin delta = (1 - cos a)/a^2 a_x a_y / d                                                      (D-352)
+/// ```
+fn yaw_text(units: &Units, (motion, pitch): (&Motion, &Pitch)) -> Result<String, Located> {
+    let [x, y] = match motion {
+        Motion::At([_, x, y]) => [x, y].map(|angle| signed(*angle)),
+        Motion::Linear(sums) => {
+            let [_, x, y] = texts(pitch, sums)?;
+            [x, y].map(|angle| format!("{}*({angle})", signed(units.angle)))
+        }
+    };
+    let square = format!("(({x})^2 + ({y})^2 + 1e-30)");
+    let s = format!("sin(sqrt({square}))/sqrt({square})");
+    let d = format!("sqrt(1 - ({s}*({x}))^2)");
+    // 1 - cos a = 2 sin^2 (a/2), without cancellation.
+    let c = format!("2*sin(sqrt({square})/2)^2/{square}");
+    Ok(format!("asin({c}*({x})*({y})/{d})/{}", signed(units.angle)))
 }
 
 /// The length of an actuator over the motion of the plate, with the normal n of the plate and scissors in the

@@ -79,6 +79,25 @@ impl Shaft {
         }
     }
 
+    /// The sum of its prescribed angle and an expression, both in declared units.
+    pub fn angle_and(&self, units: &Units, (angle, other): (Content, String)) -> Content {
+        let written = match &self.drive {
+            Drive::Speed(speed) => {
+                let rate = speed * units.time / units.angle;
+                Some(format!("{}*t", signed(rate)))
+            }
+            Drive::Angle(_, text) => text.clone(),
+            Drive::Torque(_) => None,
+        };
+        match written {
+            Some(written) => format!("= {written} + {other}").into(),
+            None => Content::table([
+                ("kind", "sum".into()),
+                ("terms", Content::list([angle, format!("= {other}").into()])),
+            ]),
+        }
+    }
+
     /// The angle of the hub \[rad\] as an expression; the reason if there is none.
     pub fn azimuth(&self, base: &Base) -> Result<String, &'static str> {
         match self.train {

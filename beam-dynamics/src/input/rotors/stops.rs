@@ -69,7 +69,10 @@ pub(super) fn cards(
 }
 
 /// Rotation vector that turns the first axis of a blade to its flap axis.
-pub(super) const ACROSS: Vector3<f64> = Vector3::new(0.0, 0.0, -std::f64::consts::FRAC_PI_2);
+pub(super) fn across(base: &Base) -> Vector3<f64> {
+    Vector3::z() * (-base.side() * std::f64::consts::FRAC_PI_2)
+}
+
 /// Tilt whose square keeps the direction of a tilt of zero defined \[rad\].
 const NO_TILT: f64 = 1e-9;
 

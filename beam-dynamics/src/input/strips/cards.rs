@@ -129,6 +129,7 @@ fn card(table: &Table<'_>, label: &str, builder: &mut ModelBuilder) -> Option<()
         points: points?,
         radial_drag: radial_drag?,
         delay,
+        is_mirrored: false,
     };
     add((&air, &axes), (label, &line), rotor.as_ref(), builder)
 }
@@ -315,7 +316,7 @@ fn on_body(
     let (span, length) = ((to - from).normalize(), (to - from).norm());
     let points = air.points([0.0, length], on_rotor.end).into_iter();
     let strip = |(number, (position, length, between)): (usize, (f64, f64, Between))| {
-        let (offset, axes) = airfoil_axes(&between, axes, &span);
+        let (offset, axes) = airfoil_axes((&between, 1.0), axes, &span);
         let geometry = StripGeometry {
             offset,
             axes,

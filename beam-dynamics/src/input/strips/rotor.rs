@@ -29,6 +29,8 @@ pub(super) struct Rotor {
     start: [Vector3<f64>; 2],
     /// Direction of azimuth zero in the frame; its part across the shaft counts.
     pub zero: Vector3<f64>,
+    /// Sense of a positive thrust along the shaft.
+    pub side: f64,
     inflow: Option<Inflow>,
 }
 
@@ -74,6 +76,7 @@ pub(super) fn find(
             Vector3::ith(start[1].iamin(), 1.0)
         },
         start,
+        side: 1.0,
         inflow,
     })
 }

@@ -50,7 +50,7 @@ pub(super) fn floquet_csv(table: &FloquetTable, period: f64) -> String {
             format!("{:.3e}", mode.residual),
             format!("{:.4}", mode.share),
             mode.stability().word().to_owned(),
-            mode.name.clone(),
+            mode.label(),
         ]
     });
     csv_text(FLOQUET, rows)
@@ -75,6 +75,8 @@ mod tests {
             residual: 1e-14,
             error: Some(2e-7),
             name: "node \"a\": rotation about y".to_owned(),
+            pattern: None,
+            in_blades: 0.0,
             is_neutral: false,
         };
         let table = FloquetTable {

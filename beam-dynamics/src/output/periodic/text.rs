@@ -119,7 +119,7 @@ fn row(index: usize, mode: &FloquetMode, period: f64) -> String {
         mode.residual,
         mode.stability().word(),
         mode.share,
-        mode.name
+        mode.label()
     );
     for other in &mode.others {
         row.push_str(&format!(

@@ -197,6 +197,7 @@ fn described(
             BoundaryKind::Flutter
         },
         name: point.kind().word_in(words).to_owned(),
+        in_blades: TAU * point.frequency,
         pattern: Some(pattern),
         waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
         shape: motion.parts().map(<[_]>::to_vec),

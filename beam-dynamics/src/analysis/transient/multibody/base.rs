@@ -17,12 +17,17 @@ use crate::model::State;
 
 impl Multibody<'_> {
     /// Integrates all angular momenta as [`Self::by_base`] expects, in axes that do not follow single
-    /// nodes, and all nodes in axes that turn as now, at `time` \[s\], in every step.
-    pub fn in_kept_axes(&mut self, time: f64) {
+    /// nodes.
+    pub fn without_own_axes(&mut self) {
         for own in &mut self.own_axes {
             *own = None;
         }
-        self.frames.keep(time);
+    }
+
+    /// Integrates all nodes in axes that turn as in the latest state, at `time` \[s\], in every step
+    /// from now on.
+    pub fn keep_axes(&mut self, time: f64) {
+        self.frames.keep(&self.states[0].nodes, time);
     }
 
     /// Begins a step in these axes at `time` \[s\].

@@ -238,8 +238,10 @@ impl Frames {
         &self.of_nodes
     }
 
-    /// In all later steps the axes turn as now, at `time` \[s\].
-    pub fn keep(&mut self, time: f64) {
+    /// In all later steps the axes turn as the nodes do now, at `time` \[s\].
+    pub fn keep(&mut self, nodes: &[NodeMotion], time: f64) {
+        self.kept = None;
+        self.begin(nodes, 0.0);
         self.kept = Some(time);
     }
 

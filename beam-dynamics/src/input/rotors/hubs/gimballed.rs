@@ -44,7 +44,7 @@ fn yoke(base: &Base) -> (String, Vec<Card>) {
     let [hub, yoke] = [base.hub(), base.part("yoke")];
     let [lower, upper] = ["lower", "upper"].map(|end| base.part(&format!("{end} link")));
     let center = Vector3::zeros();
-    let arm = Vector3::z() * base.link.unwrap_or_default();
+    let arm = base.placed(&(Vector3::z() * base.link.unwrap_or_default()));
     let local = base.local();
     let mut cards = vec![
         base.node(&lower, &local, -arm),

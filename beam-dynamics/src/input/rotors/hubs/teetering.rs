@@ -30,7 +30,12 @@ fn yoke(base: &Base) -> (String, Vec<Card>) {
     let nodes = [hub.as_str(), &yoke];
     let mut cards = vec![
         base.node(&yoke, &base.local(), Vector3::zeros()),
-        base.hinge(&name, nodes, (&arm, -Vector3::y()), &base.tilt),
+        base.hinge(
+            &name,
+            nodes,
+            (&arm, base.turned(&-Vector3::y())),
+            &base.tilt,
+        ),
     ];
     cards.extend(base.yoke.as_ref().map(|lump| base.body(&yoke, lump)));
     let hinge = Hinge {
@@ -42,7 +47,7 @@ fn yoke(base: &Base) -> (String, Vec<Card>) {
     cards.extend(stops::cards(
         base,
         (&name, nodes),
-        (&arm, stops::ACROSS),
+        (&arm, stops::across(base)),
         &hinge,
     ));
     (yoke, cards)

@@ -58,6 +58,9 @@ fn at_rest(text: &str, names: &[&str]) -> Vec<(Vector3<f64>, Matrix3<f64>)> {
         .collect()
 }
 
+/// Actuators of a plate.
+const ACTUATORS: &str = "actuators = { radius = 0.2, base_radius = 0.22, base_below = 0.3 }\n";
+
 /// The links of the prototype, whose horns are ahead of the blades.
 fn links() -> Links {
     let (sin, cos) = 75.0_f64.to_radians().sin_cos();
@@ -100,22 +103,35 @@ fn plates_and_links_give_the_pitch_of_their_kinematics() {
             assert!((found - expected).abs() < 1e-9, "{psi}: {found} {expected}");
         }
     }
-    let keys = format!(
-        "speed = 300\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\ncosine = \"= 200*t^2\"\n\
-         sine = \"= -400*t^2\"\n{plate}"
-    );
-    let rest = "[transient]\nto = 0.1\nstep = 2e-3\nnewton.tolerance = 1e-12\n";
-    let run = Run::new(&text("rigid", &keys, rest));
-    for (time, [hub, blade]) in run.motions(["r/hub", "r 2/pitch"]) {
-        let controls = [800.0_f64, 200.0, -400.0].map(|rate| (rate * time * time).to_radians());
-        let position = links.linear() * Vector3::from(controls);
-        let psi = TAU / 3.0;
-        let found = pitch(&hub.rotation, &blade.rotation, psi);
-        let expected = links.pitch(&position.into(), psi + OMEGA * time).unwrap();
-        assert!(
-            (found - expected).abs() < 1e-9,
-            "{time}: {found} {expected}"
+    // Actuators hold a plate with scissors, and the rotating one has the angle of the prescribed plate: without
+    // it the pitch would be off by a_x a_y / 2 of the cyclic pitch, 2e-4 rad at the end.
+    for (turning, actuators) in [
+        ("speed = 300", ""),
+        ("speed = 300", ACTUATORS),
+        ("angle = \"= 1800*t\"", ACTUATORS),
+        (
+            "angle = { kind = \"table\", rows = [[0, 0], [1, 1800]] }",
+            ACTUATORS,
+        ),
+    ] {
+        let keys = format!(
+            "{turning}\n[rotor.swashplate]\ncollective = \"= 800*t^2\"\ncosine = \"= 200*t^2\"\n\
+             sine = \"= -400*t^2\"\n{plate}{actuators}"
         );
+        let rest = "[transient]\nto = 0.1\nstep = 2e-3\nnewton.tolerance = 1e-12\n";
+        let run = Run::new(&text("rigid", &keys, rest));
+        for (time, [hub, blade]) in run.motions(["r/hub", "r 2/pitch"]) {
+            let controls = [800.0_f64, 200.0, -400.0].map(|rate| (rate * time * time).to_radians());
+            let position = links.linear() * Vector3::from(controls);
+            let psi = TAU / 3.0;
+            let found = pitch(&hub.rotation, &blade.rotation, psi);
+            let expected = links.pitch(&position.into(), psi + OMEGA * time).unwrap();
+            let off = (found - expected).abs();
+            assert!(
+                off < 1e-9,
+                "{turning} {actuators} {time}: {found} {expected}"
+            );
+        }
     }
 }
 

@@ -1,6 +1,6 @@
-//! Multiblade coordinates of all unknowns of a rotor that turns in a frame at rest.
+//! Multiblade coordinates of all unknowns of rotors that turn in a frame at rest.
 //!
-//! An unknown x_k of blade k of N, at the azimuth `psi_k = Omega t + psi_k0`, is
+//! An unknown x_k of blade k of the N blades of a rotor, at the azimuth `psi_k = Omega t + psi_k0`, is
 //!
 //! ```text
 //! x_k = B_k(t) sum_j c_j(psi_k) eta_j ,     c = (1, cos psi, sin psi, cos 2 psi, ..., (-1)^k)      (D-338)
@@ -18,21 +18,20 @@
 //! References: [ColemanFeingold1958].
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
-use nalgebra::Matrix3;
-use shared_geom::rotation::vector;
+use nalgebra::{Matrix3, Vector3};
 
+use super::rotors::{self, Group, NoCoordinates};
 use crate::case::{BladeNodes, Model};
 use crate::model::{NODE_UNKNOWNS, NodeMotion, State};
 
-/// Difference of the rotations between successive blades, beyond which they are not equal \[-\].
-const EQUAL: f64 = 1e-6;
 /// Distance of the numbers of slots of elements of one name: more than an element has.
 const SAME_NAME: usize = 1 << 20;
 
 /// Successive unknowns.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Slot {
+pub(in crate::analysis) struct Slot {
     /// The first of them.
     pub first: usize,
     /// Their number.
@@ -45,7 +44,7 @@ pub(super) struct Slot {
 
 /// Kind of the unknowns of a slot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum SlotKind {
+pub(in crate::analysis) enum SlotKind {
     /// The components of a vector in the axes of the model.
     Vector,
     /// A number.
@@ -54,77 +53,30 @@ pub(super) enum SlotKind {
     Multipliers,
 }
 
-/// The coordinates of a model.
-#[derive(Debug)]
-pub(super) struct Coordinates {
-    /// All unknowns.
-    pub slots: Vec<Slot>,
-    /// Index of the slot of each unknown.
-    pub slot_of: Vec<usize>,
-    /// Slots of the same part of all blades, by ascending azimuth.
-    pub families: Vec<Vec<usize>>,
-    /// Azimuth of each blade at the time zero \[rad\].
-    azimuths: Vec<f64>,
-    /// Axes of each blade at the time zero (columns), of the root.
-    blades: Vec<Matrix3<f64>>,
-    /// Axes of the blade in the axes of each node of a blade, without deformation.
-    in_nodes: Vec<Option<Matrix3<f64>>>,
-    /// Speed of the rotor \[rad/s\].
-    speed: f64,
-}
-
-/// Factors of the coordinates at an instant, and their rates.
-#[derive(Debug)]
-pub(super) struct Factors {
-    /// For each node of a blade B and its rate.
-    turns: Vec<Option<[Matrix3<f64>; 2]>>,
-    /// For each blade c_j and their rates.
-    pub harmonics: Vec<Vec<[f64; 2]>>,
-}
-
-/// Why a rotor has no multiblade coordinates.
+/// Equal blades that turn around one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct NoCoordinates(pub &'static str);
+pub(in crate::analysis) struct RotorBlades {
+    /// Name; empty if it is the only one.
+    pub name: String,
+    /// Index of its first blade.
+    pub first: usize,
+    /// Number of its blades.
+    pub count: usize,
+    /// Axis about which each blade is turned into the next one, without deformation.
+    pub axis: Vector3<f64>,
+    /// Speed about it \[rad/s\].
+    pub speed: f64,
+}
 
-impl Coordinates {
-    /// The coordinates of a model whose rotor turns with a speed \[rad/s\].
-    pub fn new(model: &Model, speed: f64) -> Result<Self, NoCoordinates> {
-        let mut order: Vec<&BladeNodes> = model.blades.iter().collect();
-        order.sort_by(|a, b| a.azimuth.total_cmp(&b.azimuth));
-        if order.len() < 3 {
-            return Err(NoCoordinates("the rotor has fewer than three blades"));
-        }
-        let root = |blade: &&BladeNodes| blade.nodes.first().map(|node| model.naming[*node].blade);
-        let blades: Vec<_> = order.iter().filter_map(root).collect();
-        let pairs = blades.iter().zip(blades.iter().cycle().skip(1));
-        let turns: Vec<_> = pairs.map(|(a, b)| b * a.transpose()).collect();
-        let turn = turns.first();
-        let turn = turn.filter(|turn| vector::from_rotation(turn).norm() != 0.0);
-        let Some(turn) = turn else {
-            return Err(NoCoordinates("the blades are not around an axis"));
-        };
-        if turns.iter().any(|other| (other - turn).amax() > EQUAL) {
-            return Err(NoCoordinates(
-                "the blades are not at equal angles around one axis, as the ones of several rotors",
-            ));
-        }
-        let mut coordinates = Self {
-            slots: Vec::new(),
-            slot_of: Vec::new(),
-            families: Vec::new(),
-            azimuths: order.iter().map(|blade| blade.azimuth).collect(),
-            blades,
-            in_nodes: Vec::new(),
-            speed,
-        };
-        coordinates.find(model, &order);
-        coordinates.in_nodes = coordinates.in_nodes(model);
-        Ok(coordinates)
+impl RotorBlades {
+    /// Its blades.
+    pub fn blades(&self) -> std::ops::Range<usize> {
+        self.first..self.first + self.count
     }
 
-    /// Number of blades.
-    pub fn count(&self) -> usize {
-        self.blades.len()
+    /// Numbers of waves with two coordinates, cosine and sine.
+    pub fn waves(&self) -> usize {
+        (self.count - 1) / 2
     }
 
     /// Coordinate `j` as a word.
@@ -136,12 +88,127 @@ impl Coordinates {
         };
         match j {
             0 => "collective".to_owned(),
-            _ if self.count().is_multiple_of(2) && j == self.count() - 1 => {
-                "differential".to_owned()
-            }
+            _ if self.count.is_multiple_of(2) && j == self.count - 1 => "differential".to_owned(),
             _ if j.is_multiple_of(2) => several("sine"),
             _ => several("cosine"),
         }
+    }
+}
+
+/// The coordinates of a model.
+#[derive(Debug)]
+pub(in crate::analysis) struct Coordinates {
+    /// All unknowns.
+    pub slots: Vec<Slot>,
+    /// Index of the slot of each unknown.
+    pub slot_of: Vec<usize>,
+    /// Slots of the same part of all blades, by ascending azimuth.
+    pub families: Vec<Vec<usize>>,
+    /// The rotors.
+    pub rotors: Vec<RotorBlades>,
+    /// Index of the rotor of each blade.
+    rotor_of: Vec<usize>,
+    /// Azimuth of each blade at the time zero \[rad\].
+    pub azimuths: Vec<f64>,
+    /// Axes of each blade at the time zero (columns), of the root.
+    pub blades: Vec<Matrix3<f64>>,
+    /// The first node of each blade.
+    roots: Vec<usize>,
+    /// Axes of the blade in the axes of each node of a blade, without deformation.
+    in_nodes: Vec<Option<Matrix3<f64>>>,
+}
+
+/// Factors of the coordinates at an instant, and their rates.
+#[derive(Debug)]
+pub(in crate::analysis) struct Factors {
+    /// For each node of a blade B and its rate.
+    turns: Vec<Option<[Matrix3<f64>; 2]>>,
+    /// For each blade c_j and their rates.
+    pub harmonics: Vec<Vec<[f64; 2]>>,
+}
+
+impl Coordinates {
+    /// The coordinates of the rotors of a model, at rest.
+    pub fn new(model: &Model) -> Result<Self, NoCoordinates> {
+        let groups = rotors::groups(model)?;
+        let mut rotors = Vec::new();
+        let mut order: Vec<&BladeNodes> = Vec::new();
+        for Group { name, blades, axis } in groups {
+            rotors.push(RotorBlades {
+                name,
+                first: order.len(),
+                count: blades.len(),
+                axis,
+                speed: 0.0,
+            });
+            order.extend(blades);
+        }
+        let numbers = rotors.iter().enumerate();
+        let rotor_of = numbers.flat_map(|(number, own)| std::iter::repeat_n(number, own.count));
+        let roots: Vec<_> = order
+            .iter()
+            .filter_map(|blade| blade.nodes.first().copied())
+            .collect();
+        let mut coordinates = Self {
+            slots: Vec::new(),
+            slot_of: Vec::new(),
+            families: Vec::new(),
+            rotor_of: rotor_of.collect(),
+            rotors,
+            azimuths: order.iter().map(|blade| blade.azimuth).collect(),
+            blades: roots.iter().map(|node| model.naming[*node].blade).collect(),
+            roots,
+            in_nodes: Vec::new(),
+        };
+        coordinates.find(model, &order);
+        coordinates.in_nodes = coordinates.in_nodes(model);
+        Ok(coordinates)
+    }
+
+    /// The same with the speeds of the rotors in a state: whole turns in a period \[s\].
+    pub fn turning(mut self, state: &State, period: f64) -> Self {
+        let turned = self.turned(state);
+        for (rotor, turned) in self.rotors.iter_mut().zip(turned) {
+            let axis = turned * rotor.axis;
+            let blades = rotor.first..rotor.first + rotor.count;
+            let speeds = self.roots[blades]
+                .iter()
+                .map(|node| state.nodes[*node].angular_velocity.dot(&axis));
+            let mean = speeds.sum::<f64>() / rotor.count as f64;
+            rotor.speed = (mean * period / TAU).round() * TAU / period;
+        }
+        self
+    }
+
+    /// The rotation of each rotor from the time zero to a state: the mean of its blades.
+    pub fn turned(&self, state: &State) -> Vec<Matrix3<f64>> {
+        let of_blade = |blade: usize| -> Matrix3<f64> {
+            let node = self.roots[blade];
+            let axes = self.in_nodes[node].map(|in_node| state.nodes[node].rotation * in_node);
+            axes.unwrap_or(self.blades[blade]) * self.blades[blade].transpose()
+        };
+        let of_rotor = |rotor: &RotorBlades| {
+            let sum: Matrix3<f64> = rotor.blades().map(of_blade).sum();
+            let parts = sum.svd(true, true);
+            let turn = parts.u.zip(parts.v_t).map(|(u, v)| u * v);
+            turn.filter(|turn| turn.determinant() > 0.0)
+                .unwrap_or_else(Matrix3::identity)
+        };
+        self.rotors.iter().map(of_rotor).collect()
+    }
+
+    /// The rotor of a blade.
+    pub fn rotor_of(&self, blade: usize) -> &RotorBlades {
+        &self.rotors[self.rotor_of[blade]]
+    }
+
+    /// The families of a rotor.
+    pub fn families_of(&self, rotor: usize) -> impl Iterator<Item = &Vec<usize>> {
+        let is_own = move |family: &&Vec<usize>| {
+            let blade = family.first().and_then(|slot| self.slots[*slot].of_blade);
+            blade.is_some_and(|(blade, _)| self.rotor_of[blade] == rotor)
+        };
+        self.families.iter().filter(is_own)
     }
 
     /// Axes of a blade at the time zero.
@@ -154,9 +221,16 @@ impl Coordinates {
         let system = &model.system;
         let numbering = system.numbering();
         let mut named = Named::default();
+        let (rotors, rotor_of) = (&self.rotors, &self.rotor_of);
         let mut add = |slots: &mut Vec<Slot>, label: &str, number: usize, slot: Slot| {
             if let Some((blade, rest)) = of_blade(label, order) {
-                named.add((rest, number), (blade, order.len()), slots.len());
+                let rotor = rotor_of[blade];
+                let own = &rotors[rotor];
+                named.add(
+                    (rotor, rest, number),
+                    (blade - own.first, own.count),
+                    slots.len(),
+                );
             }
             slots.push(slot);
         };
@@ -199,11 +273,12 @@ impl Coordinates {
         for (index, slot) in self.slots.iter().enumerate() {
             self.slot_of[slot.first..slot.first + slot.size].fill(index);
         }
-        for members in named.0.into_values() {
+        for ((rotor, ..), members) in named.0 {
             let members: Option<Vec<_>> = members.into_iter().collect();
             let Some(members) = members else { continue };
+            let first = self.rotors[rotor].first;
             for (blade, slot) in members.iter().enumerate() {
-                self.slots[*slot].of_blade = Some((blade, self.families.len()));
+                self.slots[*slot].of_blade = Some((first + blade, self.families.len()));
             }
             self.families.push(members);
         }
@@ -221,25 +296,36 @@ impl Coordinates {
 
     /// The factors at a time \[s\] and the state then.
     pub fn at(&self, time: f64, state: &State) -> Factors {
-        let turned = self.speed * time;
         let of_node = |(node, in_node): (&NodeMotion, &Option<Matrix3<f64>>)| {
             in_node.map(|in_node| {
                 let axes = node.rotation * in_node;
                 [axes, node.angular_velocity.cross_matrix() * axes]
             })
         };
-        let n = self.count();
         let harmonics = self.azimuths.iter().enumerate().map(|(k, azimuth)| {
-            let psi = azimuth + turned;
+            let RotorBlades {
+                first,
+                count: n,
+                speed,
+                ..
+            } = *self.rotor_of(k);
+            let psi = azimuth + speed * time;
             let mut factors = vec![[1.0, 0.0]];
             for order in 1..=(n - 1) / 2 {
                 let order = order as f64;
                 let (sin, cos) = (order * psi).sin_cos();
-                let rate = order * self.speed;
+                let rate = order * speed;
                 factors.extend([[cos, -rate * sin], [sin, rate * cos]]);
             }
             if n.is_multiple_of(2) {
-                factors.push([if k.is_multiple_of(2) { 1.0 } else { -1.0 }, 0.0]);
+                factors.push([
+                    if (k - first).is_multiple_of(2) {
+                        1.0
+                    } else {
+                        -1.0
+                    },
+                    0.0,
+                ]);
             }
             factors
         });
@@ -255,21 +341,21 @@ impl Coordinates {
     }
 }
 
-/// Slots of all blades by the name of their part without the blade, and their number in it.
+/// Slots of all blades by their rotor, the name of their part without the blade, and their number in it.
 #[derive(Default)]
-struct Named(BTreeMap<(String, usize), Vec<Option<usize>>>);
+struct Named(BTreeMap<(usize, String, usize), Vec<Option<usize>>>);
 
 impl Named {
     /// Adds the slot of one of several blades; elements of different kinds may have one name.
     fn add(
         &mut self,
-        (rest, number): (String, usize),
+        (rotor, rest, number): (usize, String, usize),
         (blade, count): (usize, usize),
         slot: usize,
     ) {
         let mut number = number;
         loop {
-            let all = self.0.entry((rest.clone(), number));
+            let all = self.0.entry((rotor, rest.clone(), number));
             let all = all.or_insert_with(|| vec![None; count]);
             if all[blade].is_none() {
                 all[blade] = Some(slot);

@@ -10,7 +10,6 @@
 //! ```
 
 use nalgebra::{Complex, Vector3};
-use shared_geom::rotation::vector;
 
 use super::coordinates::Coordinates;
 use crate::case::Model;
@@ -86,9 +85,8 @@ fn is_outside(coordinates: &Coordinates, node: usize) -> bool {
 fn directions(model: &Model, coordinates: &Coordinates) -> ([Vector3<f64>; 3], [&'static str; 4]) {
     let up = (-model.gravity).try_normalize(0.0);
     let up = up.unwrap_or_else(Vector3::z);
-    // A blade is turned into the next one about the axis.
-    let turn = coordinates.blade(1) * coordinates.blade(0).transpose();
-    let axis = vector::from_rotation(&turn).normalize();
+    let first = coordinates.rotors.first();
+    let axis = first.map_or_else(Vector3::z, |rotor| rotor.axis);
     let level = axis - up * axis.dot(&up);
     match level.try_normalize(0.0) {
         Some(fore) if axis.dot(&up).abs() < LEVEL => (
