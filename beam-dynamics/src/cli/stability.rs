@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use shared_geom::error::Explain;
 
 use super::arguments::Results;
+use super::progress::Progress;
 use super::terminal::Terminal;
 use super::{MissingTable, add_remarks, finish, statics};
 use crate::analysis::stability::stability;
@@ -54,8 +55,17 @@ fn stability_of(
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let read = |given: &[(String, f64)]| input::read_with(path, given);
+    let progress = Progress::of_search(None);
+    let parameter = &settings.sweep.parameter;
+    let read = |given: &[(String, f64)]| {
+        if let Some((_, at)) = given.iter().find(|own| own.0 == *parameter) {
+            let place = format!("{parameter} = {}", input::short_number(*at, 6));
+            progress.note(part(&settings.sweep.values, *at), &place);
+        }
+        input::read_with(path, given)
+    };
     let mut result = stability(&input.model.name, settings, input.trim.as_ref(), &read);
+    progress.finish();
     let shown = (location.name.as_str(), &mut *terminal);
     add_remarks(&mut result.remarks, (input, None), shown);
     terminal.show(&output::stability_text(&result));
@@ -71,4 +81,17 @@ fn stability_of(
         output::write_stability(&result, location),
         terminal,
     )
+}
+
+/// The part of the range of the values, which increase or decrease, that a value ends.
+fn part(values: &[f64], at: f64) -> f64 {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else {
+        return 0.0;
+    };
+    let range = last - first;
+    if range == 0.0 {
+        0.0
+    } else {
+        ((at - first) / range).clamp(0.0, 1.0)
+    }
 }

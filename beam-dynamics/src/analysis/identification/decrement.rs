@@ -19,7 +19,7 @@ const LEAST: usize = 5;
 /// the extremes belong to several motions \[-\].
 const OTHER: f64 = 0.05;
 /// Largest scatter of the logarithms about their line: beyond it several oscillations take turns \[-\].
-const ALONE: f64 = 1.0;
+const ALONE: f64 = 0.2;
 
 /// The mode of the extremes; `None` if they do not belong to one oscillation of about the frequency
 /// given \[rad/s\].

@@ -11,4 +11,4 @@ negative for a decay. Prints the modes of each column, and writes NAME.identifie
 
 pub(super) const IDENTIFY_EXAMPLE: &str = "\
 Example, the decay of a tip after its first second:
-  beam-dynamics identify rotor.transient.csv --columns \"tip z\" --from 1";
+  beam-dynamics identify rotor.transient.csv --columns tip_z --from 1";

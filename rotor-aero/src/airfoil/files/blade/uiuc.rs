@@ -29,7 +29,8 @@ pub(super) fn read(text: &str, options: &BladeOptions, notes: &mut Notes) -> Opt
     let mut stations = Vec::new();
     let radius = options.radius.or_else(|| named_radius(notes));
     if radius.is_none() {
-        let help = "give the radius as an option, or name the file NAME_10x7_geom.txt (inches)";
+        let help =
+            "give \"geometry_radius\" of [rotor], or name the file NAME_10x7_geom.txt (inches)";
         notes.missing(0, "the radius of the propeller", help);
     }
     let size = radius.unwrap_or(1.0);
