@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use shared_geom::blade::Blade;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
 use shared_geom::exchange;
 use shared_geom::file_kind::LAYUP_ENDING;
@@ -115,7 +116,7 @@ fn solve_sections(
     terminal: &mut Terminal<'_>,
 ) -> Result<(), Stop> {
     let file = &arguments.file;
-    let other = arguments.compare.as_deref().map(exchange::read).transpose();
+    let other = arguments.compare.as_deref().map(published).transpose();
     let other = other.map_err(|problems| terminal.report_all(&problems))?;
     let modes = arguments.modes.as_deref().map(read_modes).transpose();
     let modes = modes.map_err(|problems| terminal.report_all(&problems))?;
@@ -139,7 +140,6 @@ fn solve_sections(
             .collect(),
     };
     let is_written = missing.is_empty() || arguments.skip_failed;
-    let other = other.map(|reading| reading.blade);
     let request = Request::new(modes, other.clone(), &missing);
     let page = (arguments.report.then(|| request.page(layup, &span, &files))).flatten();
     let results = results::Results {
@@ -165,6 +165,15 @@ fn solve_sections(
         0 => ended.result(),
         _ => Err(Stop::Reported(NOT_REACHED)),
     }
+}
+
+/// The blade of a file for a comparison. Its shear stiffness is not compared, and may be absent.
+fn published(path: &Path) -> Result<Blade, Diagnostics> {
+    let options = exchange::Options {
+        length: None,
+        rigid_shear: true,
+    };
+    exchange::read_with(path, &options).map(|(_, reading)| reading.blade)
 }
 
 /// The name of a blade: of its file, without its ending.

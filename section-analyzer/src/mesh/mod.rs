@@ -21,6 +21,7 @@ mod orientation;
 mod overlap;
 mod parts;
 mod plane;
+mod positions;
 mod problem;
 pub mod quality;
 mod refine;

@@ -210,7 +210,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "ahead_of = { x = 0.05 }",
         "ahead_of = { x = 1.2 }",
-        "error: a.layup.toml:16: \"x = 1.2\" is not on the contour at eta 0",
+        "error: a.layup.toml:16: \"x = 1.2\" of fill \"mass\" is not on the contour at eta 0",
     ),
     (
         "plies = [{ name = \"b\", material = \"metal\", thickness = 0.003 }]",

@@ -449,6 +449,6 @@ fn a_distance_beyond_the_side_is_named() {
     let layup = parse(&TEXT.replace("to = \"nose - 0.02\"", far));
     let layup = layup.unwrap_or_else(|problems| panic!("{problems}"));
     let problem = layup.section(0.26).expect_err("a place beyond the contour");
-    let expected = "\"distance = 99 m\" is not on the contour at eta 0.26";
+    let expected = "\"distance = 99 m\" of layer \"patch\" is not on the contour at eta 0.26";
     assert!(problem.to_string().contains(expected), "{problem}");
 }

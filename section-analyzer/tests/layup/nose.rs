@@ -143,7 +143,7 @@ fn a_side_may_use_the_space_that_the_other_one_leaves() {
 }
 
 /// An airfoil with skins of 0.3 to 4 radii of its nose, a reinforcement of the nose, panels and a web.
-fn thick_nose(seed: u64) -> LayupSection {
+pub fn thick_nose(seed: u64) -> LayupSection {
     let mut random = Random::new(4400 + seed);
     let (digits, part) = [
         ("0012", 0.12),
@@ -176,8 +176,8 @@ fn thick_nose(seed: u64) -> LayupSection {
     }
 }
 
-/// Nine tenths are meshed; the others are refused by the name of a layer or web: webs where the
-/// layers of both sides meet, and layers whose steep end is at the end of the contact.
+/// 98 % are meshed, and the others refused by the name of a layer or web: webs where the layers of both
+/// sides meet.
 #[test]
 fn random_thick_noses_are_meshed() {
     let count = effort::cases(100);
@@ -198,7 +198,7 @@ fn random_thick_noses_are_meshed() {
         refused.join("\n")
     );
     assert!(
-        refused.len() as f64 <= 0.1 * count as f64 && cut > count / 4,
+        refused.len() as f64 <= 0.03 * count as f64 && cut > count / 4,
         "{refused:#?}"
     );
 }

@@ -110,7 +110,7 @@ fn add_fills(section: &mut LayupSection, random: &mut Random) {
 /// A layup that can be built: skins, caps, panels and a reinforcement of the nose that fill at
 /// most two thirds of the space at the nose, and one or two webs under the caps; some have a spar
 /// around the nose, some have fills.
-fn valid(seed: u64) -> LayupSection {
+pub fn valid(seed: u64) -> LayupSection {
     let mut random = Random::new(seed);
     let (contour, chord) = contour(&mut random);
     let thick = |random: &mut Random, low: f64, high: f64| {

@@ -180,7 +180,7 @@ fn lines_by_tables() {
     let problems = layup::parse(&wrong, &path("propeller"))
         .unwrap_err()
         .to_string();
-    let expected = "expected the positions of root and tip, without \"length\"";
+    let expected = "expected the ascending positions of root and tip, without \"length\"";
     assert!(problems.contains(expected), "{problems}");
 }
 

@@ -49,7 +49,7 @@ impl Alike {
             match &kind.similar[..] {
                 [] => format!("{sections}: {}", kind.text),
                 others => format!(
-                    "{sections}: {}; with other numbers: {}",
+                    "{sections}: {}; the same but for the numbers: {}",
                     first_line(&kind.text),
                     shown(others)
                 ),
@@ -57,7 +57,7 @@ impl Alike {
         })
     }
 
-    /// All sections of the texts that are not the first of their kind.
+    /// The sections of the texts that are not the first of their kind, with the first one.
     pub fn others(&self) -> impl Iterator<Item = String> {
         self.0.iter().filter_map(|kind| {
             let first = first_line(&kind.text);
@@ -67,11 +67,12 @@ impl Alike {
                 .map(String::as_str)
                 .collect();
             let how = match &kind.similar[..] {
-                [] => "as",
-                _ => "with other numbers,",
+                [] => "",
+                _ => ", but for the numbers",
             };
             let all = others.join(", ");
-            (!others.is_empty()).then(|| format!("{all}: {how} {first}"))
+            let known = &kind.same[0];
+            (!others.is_empty()).then(|| format!("{all}: the same as {known}{how}: {first}"))
         })
     }
 }
@@ -118,14 +119,17 @@ mod tests {
         assert_eq!(first, [true, false, false, true]);
         let found: Vec<_> = all.texts().collect();
         let expected = [
-            "eta 0, eta 0.1: web1: 3 of 9 cells, (aspect 113); with other numbers: eta 0.2",
+            "eta 0, eta 0.1: web1: 3 of 9 cells, (aspect 113); the same but for the numbers: eta 0.2",
             "eta 0.2: web2: 4 of 9 cells, (aspect 113)",
         ];
         assert_eq!(found, expected);
         let others: Vec<_> = all.others().collect();
         assert_eq!(
             others,
-            ["eta 0.1, eta 0.2: with other numbers, web1: 3 of 9 cells, (aspect 113)"]
+            [
+                "eta 0.1, eta 0.2: the same as eta 0, but for the numbers: web1: 3 of 9 cells, \
+                 (aspect 113)"
+            ]
         );
         for i in 0..9 {
             all.add("web3", &i.to_string());
@@ -137,6 +141,9 @@ mod tests {
         );
         // those that have no result are all listed
         let last = all.others().last();
-        assert_eq!(last.as_deref(), Some("1, 2, 3, 4, 5, 6, 7, 8: as web3"));
+        assert_eq!(
+            last.as_deref(),
+            Some("1, 2, 3, 4, 5, 6, 7, 8: the same as 0: web3")
+        );
     }
 }

@@ -192,6 +192,11 @@ impl Known {
 
     /// The name of the material, also if it is unknown, which is noted.
     pub fn material(&self, table: &Table<'_>) -> Option<String> {
+        if !table.has(&MATERIAL) && table.has(&NAME) {
+            let (layer, key) = (text(table, NAME.name()), "material");
+            table.note("", &LayupFileProblem::Lacks { layer, key });
+            return None;
+        }
         let material = table.get(&MATERIAL)?;
         if !self.names.contains(&material) {
             let problem = LayupFileProblem::Unknown {

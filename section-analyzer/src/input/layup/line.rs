@@ -121,9 +121,14 @@ fn ends(table: &Table<'_>) -> Option<[f64; 2]> {
     }
     let span = table.quantities(SPAN.name(), Dimension::LENGTH)?;
     match span[..] {
-        [from, .., to] if from < to && !table.has(&LENGTH) => Some([from, to]),
+        [from, .., to] if span.is_sorted_by(|a, b| a < b) && !table.has(&LENGTH) => {
+            Some([from, to])
+        }
         _ => {
-            table.wrong(&SPAN, "the positions of root and tip, without \"length\"");
+            table.wrong(
+                &SPAN,
+                "the ascending positions of root and tip, without \"length\"",
+            );
             None
         }
     }

@@ -192,6 +192,14 @@ pub enum LayupFileProblem {
     /// Positions that are given twice.
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,
+    /// A layer, ply or fill without a key that it needs.
+    #[error("\"{layer}\" has no \"{key}\"")]
+    Lacks {
+        /// Its name.
+        layer: String,
+        /// The key.
+        key: &'static str,
+    },
     /// Lengths along the span without a length of the blade.
     #[error("positions are given by \"span\", expected \"eta\" in a layup without [line]")]
     NoLine,
@@ -210,8 +218,10 @@ pub enum LayupFileProblem {
         places: Vec<String>,
     },
     /// A place that is not on the contour.
-    #[error("\"{place}\" is not on the contour at eta {eta}")]
+    #[error("\"{place}\" of {of} is not on the contour at eta {eta}")]
     OffContour {
+        /// The layer, web or fill, with its kind.
+        of: String,
         /// The place.
         place: String,
         /// The position along the span [-].
@@ -249,6 +259,16 @@ pub enum LayupFileProblem {
     },
 }
 
+impl LayupFileProblem {
+    /// The problem of a place, with the layer, web or fill that has it.
+    pub(super) fn of(mut self, kind: &str, name: &str) -> Self {
+        if let Self::OffContour { of, .. } = &mut self {
+            *of = format!("{kind} \"{name}\"");
+        }
+        self
+    }
+}
+
 /// A problem, and the line of the file that it belongs to.
 pub(super) type Located = (usize, LayupFileProblem);
 
@@ -268,6 +288,9 @@ impl Explain for LayupFileProblem {
                  along the contour"
                     .into(),
             ),
+            Self::Lacks { key, .. } => Some(format!(
+                "add {key} = \"NAME\", the name of a table [material.NAME] of the file"
+            )),
             Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())

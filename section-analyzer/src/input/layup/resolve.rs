@@ -65,8 +65,10 @@ impl<'a> Resolver<'a> {
         let present = self.layup.layers.iter();
         for layer in present.filter(|layer| self.has(layer) && !self.lacks_web(layer)) {
             let mut places = Vec::new();
-            let from = self.arc(layer.line, &layer.from, &mut places)?;
-            let to = self.arc(layer.line, &layer.to, &mut places)?;
+            let mut arc = |place| self.arc(layer.line, place, &mut places);
+            let ends = arc(&layer.from).and_then(|from| Ok((from, arc(&layer.to)?)));
+            let of = |(line, problem): Located| (line, problem.of("layer", &layer.name));
+            let (from, to) = ends.map_err(of)?;
             let perimeter = self.outline.perimeter();
             let width = (to - from) * perimeter;
             // other layers may leave no length between them
@@ -123,8 +125,10 @@ impl<'a> Resolver<'a> {
 
     fn web(&self, web: &WrittenWeb) -> Result<Web, Located> {
         let mut places = Vec::new();
-        let suction = self.arc(web.line, &web.places[0], &mut places)?;
-        let pressure = self.arc(web.line, &web.places[1], &mut places)?;
+        let mut arc = |place| self.arc(web.line, place, &mut places);
+        let ends = arc(&web.places[0]).and_then(|suction| Ok((suction, arc(&web.places[1])?)));
+        let of = |(line, problem): Located| (line, problem.of("web", &web.name));
+        let (suction, pressure) = ends.map_err(of)?;
         let plies = web.plies.iter().filter(|ply| self.has(ply));
         Ok(Web {
             name: web.name.clone(),
@@ -144,7 +148,11 @@ impl<'a> Resolver<'a> {
             Some(FillBound::Web(name, _)) => Ok(Some(Bound::Web(name.clone()))),
             Some(FillBound::Plane(places)) => {
                 let [suction, pressure] = &**places;
-                let arc = |place| self.arc(fill.line, place, &mut Vec::new());
+                let of = |(line, problem): Located| (line, problem.of("fill", &fill.name));
+                let arc = |place| {
+                    let arc = self.arc(fill.line, place, &mut Vec::new());
+                    arc.map_err(of)
+                };
                 Ok(Some(Bound::Line([arc(suction)?, arc(pressure)?])))
             }
         };
@@ -203,7 +211,10 @@ impl<'a> Resolver<'a> {
         let (outline, eta) = (&self.outline, self.eta);
         let perimeter = outline.perimeter();
         let line = if place.line > 0 { place.line } else { line };
-        let off = |place: String| (line, LayupFileProblem::OffContour { place, eta });
+        let off = |place: String| {
+            let of = String::new();
+            (line, LayupFileProblem::OffContour { of, place, eta })
+        };
         let s = match &place.form {
             PlaceForm::Arc(course) => course.at(eta) * perimeter,
             PlaceForm::X(course, side) => {
@@ -269,6 +280,7 @@ impl<'a> Resolver<'a> {
                 let [suction, pressure] = arcs;
                 let face = self.face(web, [suction?, pressure?], (*side, *sign));
                 let off = LayupFileProblem::OffContour {
+                    of: String::new(),
                     place: name.to_owned(),
                     eta: self.eta,
                 };

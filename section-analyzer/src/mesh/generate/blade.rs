@@ -83,7 +83,7 @@ impl Blade {
         match grid::folded(&mesh) {
             None => Ok(mesh),
             Some(folded) => Err(vec![BladeProblem::Folded {
-                count: folded.count,
+                count: folded.centers.len(),
                 part: self.contour.chord_part(folded.position[0]),
                 position: folded.position,
                 unfolded: None,

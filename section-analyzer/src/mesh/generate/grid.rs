@@ -286,11 +286,11 @@ fn without_unused(mut mesh: Mesh) -> Mesh {
 
 /// Cells whose Jacobian is not positive everywhere.
 pub(super) struct Folded {
-    /// Their number.
-    pub count: usize,
-    /// Center of the first one.
+    /// The center of each.
+    pub centers: Vec<[f64; 2]>,
+    /// Center of the one with the least part of its largest Jacobian.
     pub position: [f64; 2],
-    /// Physical surfaces of the first one.
+    /// Physical surfaces of this one.
     pub groups: GroupSet,
 }
 
@@ -301,23 +301,26 @@ pub(super) fn folded(mesh: &Mesh) -> Option<Folded> {
         let position = mesh.nodes[*node as usize].position;
         [position.x, position.y]
     };
-    let mut found: Option<Folded> = None;
+    let mut centers = Vec::new();
+    let mut worst: Option<(f64, [f64; 2], &GroupSet)> = None;
     for cell in &mesh.cells {
         let positions: Vec<[f64; 2]> = cell.nodes().iter().map(position).collect();
-        if jacobian.extremes(cell.kind, &positions)[0] > 0.0 {
-            continue;
-        }
-        if let Some(found) = &mut found {
-            found.count += 1;
+        let [least, largest] = jacobian.extremes(cell.kind, &positions);
+        if least > 0.0 {
             continue;
         }
         let corners = &positions[..cell.kind.corner_count()];
         let mean = |i: usize| corners.iter().map(|corner| corner[i]).sum::<f64>();
-        found = Some(Folded {
-            count: 1,
-            position: [0, 1].map(|i| mean(i) / corners.len() as f64),
-            groups: cell.groups.clone(),
-        });
+        let center = [0, 1].map(|i| mean(i) / corners.len() as f64);
+        centers.push(center);
+        let part = least / largest.abs().max(f64::MIN_POSITIVE);
+        if worst.is_none_or(|(known, ..)| part < known) {
+            worst = Some((part, center, &cell.groups));
+        }
     }
-    found
+    worst.map(|(_, position, groups)| Folded {
+        centers,
+        position,
+        groups: groups.clone(),
+    })
 }

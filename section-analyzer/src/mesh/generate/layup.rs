@@ -12,10 +12,9 @@
 //! complete there, inner ones are cut. Nodes of the inner faces are the nodes of webs, and of the
 //! triangles of fills.
 
-use shared_geom::error::SourceLocation;
 use shared_geom::mesh::{CellKind, Mesh};
 
-use super::super::SectionMesh;
+use super::super::{DoubledNodes, SectionMesh};
 
 pub(super) mod area;
 mod bend;
@@ -34,6 +33,8 @@ mod pairs;
 mod points;
 mod polygon;
 mod problem;
+mod remedies;
+mod space;
 pub(super) mod spar;
 pub(super) mod spar_web;
 pub(super) mod stack;
@@ -49,10 +50,11 @@ pub use types::{
     Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, SparWeb, Web, WebPly,
 };
 
-use wall::{Reach, Wall};
+use remedies::Remedies;
+use wall::Wall;
 
-/// Attempts to mesh a section: factors of the reach of contacts and of the size of cells.
-const ATTEMPTS: [(f64, f64); 4] = [(1.0, 1.0), (2.0, 1.0), (1.0, 0.5), (2.0, 0.5)];
+/// Largest number of attempts to mesh a section.
+const ATTEMPTS: usize = 12;
 /// Number of cells around a contour if no size is given.
 pub const AROUND: f64 = 120.0;
 
@@ -73,56 +75,80 @@ impl LayupSection {
         if size.is_nan() || size <= least {
             return Err(LayupProblem::Size { size, least });
         }
+        let mut remedies = Remedies::default();
         let mut first = None;
-        let mut tight = None;
-        for (reach, part) in ATTEMPTS {
-            let wall = Wall::new(self, &outline, part * size, Reach(reach));
-            if let Ok(wall) = &wall {
-                tight = wall.tight.clone();
-            }
-            let made = wall.and_then(|wall| build::mesh(self, &wall).map(|mesh| (mesh, wall)));
-            let problem = match made {
-                Ok((mesh, wall)) => match sound(&mesh) {
+        for _ in 0..ATTEMPTS {
+            let wall = match Wall::new(self, &outline, size, &remedies) {
+                Ok(wall) => wall,
+                Err(problem) => return Err(first.unwrap_or(problem)),
+            };
+            let failed = match build::mesh(self, &wall) {
+                Ok(mesh) => match sound(&mesh) {
                     Ok(()) => {
                         let areas = area::areas(self, &wall, &mesh);
                         area::check(&areas[..areas.len() - self.fills.len()])?;
                         return Ok(MeshedLayup { mesh, areas });
                     }
-                    Err(problem) => problem,
+                    Err(failed) => failed,
                 },
-                Err(problem) => problem,
+                Err(problem) => {
+                    let positions = problem.position().into_iter().collect();
+                    Failed { problem, positions }
+                }
             };
-            let is_final = !problem.is_of_cells();
-            let problem = first.get_or_insert(problem).clone();
-            if is_final {
-                return Err(problem);
+            let is_left = failed.problem.is_of_cells() && remedies.add(&wall, &failed.positions);
+            let problem = first.get_or_insert_with(|| with_space(failed.problem, wall.tight));
+            if !is_left {
+                return Err(problem.clone());
             }
         }
-        // a section whose layers meet ahead
-        Err(tight.or(first).unwrap_or(LayupProblem::NoLayers))
+        Err(first.unwrap_or(LayupProblem::NoLayers))
+    }
+}
+
+/// A mesh that failed, and the positions of its wrong cells.
+struct Failed {
+    problem: LayupProblem,
+    positions: Vec<[f64; 2]>,
+}
+
+/// The problem of cells of a section whose layers have too little space ahead, if they have.
+fn with_space(cells: LayupProblem, space: Option<LayupProblem>) -> LayupProblem {
+    match space.filter(|_| cells.is_of_cells()) {
+        Some(space) => LayupProblem::Crowded {
+            space: Box::new(space),
+            cells: Box::new(cells),
+        },
+        None => cells,
     }
 }
 
 /// Checks cells and mesh as any input is checked.
-fn sound(mesh: &Mesh) -> Result<(), LayupProblem> {
+fn sound(mesh: &Mesh) -> Result<(), Failed> {
     let label = |groups: &shared_geom::mesh::GroupSet| {
         let first = groups.first().and_then(|first| mesh.groups.get(first));
         first.map_or_else(String::new, shared_geom::mesh::PhysicalGroup::label)
     };
     if let Some(folded) = super::grid::folded(mesh) {
-        return Err(LayupProblem::Folded {
+        let problem = LayupProblem::Folded {
             layer: label(&folded.groups),
-            count: folded.count,
+            count: folded.centers.len(),
             position: folded.position,
-        });
+        };
+        let positions = folded.centers;
+        return Err(Failed { problem, positions });
     }
-    let place = SourceLocation::file("mesh of the layup");
-    match SectionMesh::from_mesh(mesh, 1.0, &place) {
-        Ok(_) => Ok(()),
-        Err(problems) => Err(LayupProblem::Unsound {
-            text: problems.to_string(),
-        }),
-    }
+    SectionMesh::checked(mesh, 1.0, DoubledNodes::Error)
+        .map(|_| ())
+        .map_err(|problems| {
+            let texts: Vec<String> = problems.iter().map(ToString::to_string).collect();
+            let text = texts.join("; ");
+            let positions = problems.iter().flat_map(|one| one.positions(mesh));
+            Failed {
+                positions: positions.collect(),
+                problem: LayupProblem::Unsound { text },
+            }
+        })
 }
 
 /// Kind of the quadrilaterals.

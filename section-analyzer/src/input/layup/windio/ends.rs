@@ -46,6 +46,19 @@ impl<'n> Places<'n> {
             half(holder, item, (what, &given), expected, notes);
             return None;
         }
+        if let Some(at) = one_end(item) {
+            let holder = match holder {
+                Holder::Layer => "the start and the end of the layer",
+                Holder::Web => "two places, one on each side",
+            };
+            let found = format!("{at} for both {START} and {END}");
+            let help = "refer to another handle for one of them";
+            notes.wrong(
+                item.line,
+                [&format!("the place of {what}"), &found, holder, help],
+            );
+            return None;
+        }
         let pair = [START, END].map(|key| {
             let node = item.entry(key)?;
             let what = format!("{key} of {what}");
@@ -55,6 +68,16 @@ impl<'n> Places<'n> {
         let [start, end] = pair;
         Some([start?, end?])
     }
+}
+
+/// The handle of an anchor to which both ends refer, if they do.
+fn one_end(item: &Node) -> Option<String> {
+    let [start, end] = [START, END].map(|key| {
+        let anchor = item.entry(key)?.entry("anchor")?;
+        let of = |key: &str| anchor.entry(key).and_then(Node::text);
+        Some(format!("{} of anchor \"{}\"", of("handle")?, of("name")?))
+    });
+    if start == end { start } else { None }
 }
 
 /// Starts at arc 1 before a smaller end are starts at 0.

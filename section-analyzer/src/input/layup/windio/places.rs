@@ -72,10 +72,12 @@ impl<'n> Places<'n> {
             all.filter_map(|item| Some((item.entry("name")?.text()?, item)))
                 .collect()
         };
+        let (anchors, layers) = (named("anchors"), named("layers"));
+        note_doubled(&anchors, notes);
         Self {
             version,
-            anchors: named("anchors"),
-            layers: named("layers"),
+            anchors,
+            layers,
             tilt,
             doubts: RefCell::new(Vec::new()),
         }
@@ -240,6 +242,22 @@ impl<'n> Places<'n> {
             .problems
             .push(anchor.line, &ExchangeProblem::Missing { what, help });
         None
+    }
+}
+
+/// Notes anchors of one name, of which references cannot mean both.
+fn note_doubled(anchors: &[(&str, &Node)], notes: &mut Notes) {
+    for (number, (name, node)) in anchors.iter().enumerate() {
+        let mut before = anchors[..number].iter();
+        if let Some((_, first)) = before.find(|known| known.0 == *name) {
+            let found = format!("given twice, first in line {}", first.line);
+            let expected = "one anchor of each name";
+            let help = "remove one of them, or give it another name";
+            notes.wrong(
+                node.line,
+                [&format!("anchor \"{name}\""), &found, expected, help],
+            );
+        }
     }
 }
 

@@ -60,6 +60,17 @@ impl Tilt {
         for angle in &mut twist.values {
             *angle *= version.angle();
         }
+        let ends = [columns[2].values.first(), columns[2].values.last()];
+        if let [Some(root), Some(tip)] = ends
+            && tip <= root
+        {
+            let place = node.map_or(0, |node| node.line);
+            let found = format!("z from {root} at the root to {tip} at the tip");
+            let expected = "z that grows from root to tip";
+            let help = "turn the signs of z, or the order of the values";
+            notes.wrong(place, ["reference_axis", &found, expected, help]);
+            return None;
+        }
         let line = reference_line(&columns, &twist, text, &mut notes.remarks);
         let problems = line.problems();
         if let Some(problem) = problems.first() {

@@ -189,11 +189,11 @@ pub enum BladeProblem {
         found: usize,
     },
     /// Cells that fold.
-    #[error("{count} cells fold, the first one at x/c = {}, ({}, {})", short(*.part), short(.position[0]), short(.position[1]))]
+    #[error("{count} cells fold, the worst one at x/c = {}, ({}, {})", short(*.part), short(.position[0]), short(.position[1]))]
     Folded {
         /// Their number.
         count: usize,
-        /// Chordwise position of the first one [-].
+        /// Chordwise position of the worst one [-].
         part: f64,
         /// Its center [unit of the mesh].
         position: [f64; 2],

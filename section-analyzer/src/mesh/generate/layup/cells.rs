@@ -114,9 +114,9 @@ fn column_at(wall: &Wall, stations: &Stations, station: Station) -> (Column, Opt
     let Some(number) = station.pair else {
         return (wall.column(station.s), None);
     };
-    let (pair, weight) = &stations.pairs[number];
+    let (pair, lean) = &stations.pairs[number];
     let side = usize::from(station.s > wall.outline.nose());
-    let column = wall.leaned(pair, side, *weight);
+    let column = wall.leaned(pair, side, *lean);
     // all columns of a fan end in one node
     let end = if pair.is_fan() { usize::MAX } else { number };
     let contact = column.is_closed.then_some(end);

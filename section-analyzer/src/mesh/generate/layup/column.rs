@@ -14,6 +14,23 @@ use super::bend::{Bend, Lean};
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
 
+/// The lean of a column toward the other side.
+#[derive(Debug, Clone, Copy)]
+pub(in super::super) struct Toward {
+    /// Part of the direction of the pair in its direction: 1 in a contact.
+    pub weight: f64,
+    /// The shift of the pair at the end of the contact, beside it.
+    pub shift: Option<f64>,
+}
+
+impl Toward {
+    /// No lean.
+    pub const NONE: Self = Self {
+        weight: 0.0,
+        shift: None,
+    };
+}
+
 /// A column of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(in super::super) struct Column {
@@ -43,7 +60,7 @@ impl Wall {
             Edge::Smooth | Edge::Open => 0.0,
             _ => self.pairs.x(side, s).min(1.0),
         };
-        let Some(weight) = self.weight(s, x) else {
+        let Some(lean) = self.toward(s, x) else {
             let fan = self.pairs.to_center(side, s);
             return Column {
                 point,
@@ -59,7 +76,7 @@ impl Wall {
         } else {
             [partner, s]
         });
-        self.leaned(&pair, side, weight)
+        self.leaned(&pair, side, lean)
     }
 
     /// The depth at which layers are cut, where the layers of both sides meet; `None`
@@ -74,10 +91,10 @@ impl Wall {
     }
 
     /// The column of a side of a pair.
-    pub fn leaned(&self, pair: &Pair, side: usize, weight: f64) -> Column {
+    pub fn leaned(&self, pair: &Pair, side: usize, Toward { weight, shift }: Toward) -> Column {
         let s = pair.s[side];
         let n = self.outline.inward(s);
-        let lean = pair.direction(side, &self.stack);
+        let lean = pair.direction(side, &self.stack, shift);
         let direction = [0, 1].map(|i| (1.0 - weight) * n[i] + weight * lean[i]);
         let is_closed = weight >= 1.0 && !self.is_on_base(s);
         let limit = is_closed.then(|| pair.limit(side, &self.stack));
@@ -115,9 +132,8 @@ impl Wall {
         })
     }
 
-    /// Part of the direction of the pair in the direction of a column: 1 in a contact, `None` far
-    /// from contacts.
-    fn weight(&self, s: f64, x: f64) -> Option<f64> {
+    /// The lean of a column at an arc length, whose pair is at x; `None` far from contacts.
+    fn toward(&self, s: f64, x: f64) -> Option<Toward> {
         if self.zones.is_empty() || self.outline.is_smooth() {
             return None;
         }
@@ -125,37 +141,37 @@ impl Wall {
         if self.edge == Edge::Wall && (s < corners[0] || s > corners[1]) {
             return None;
         }
-        self.weight_at(x)
+        self.toward_at(x)
     }
 
     /// The same for a pair at x.
-    pub fn weight_at(&self, x: f64) -> Option<f64> {
+    pub fn toward_at(&self, x: f64) -> Option<Toward> {
         const SAME: f64 = 1e-9;
         let zone = self
             .zones
             .iter()
             .find(|zone| x >= zone[0] && x <= zone[1] + SAME)?;
-        let mut weight: f64 = 0.0;
-        for contact in self
-            .contacts
-            .iter()
-            .filter(|one| one[0] >= zone[0] && one[1] <= zone[1])
-        {
-            let part = if x < contact[0] - SAME {
+        let mut most = (0.0_f64, None);
+        let both = self.contacts.iter().zip(&self.shifts);
+        for (contact, shifts) in both.filter(|(one, _)| one[0] >= zone[0] && one[1] <= zone[1]) {
+            let (part, shift) = if x < contact[0] - SAME {
                 let from = zone[0];
-                (x - from) / (contact[0] - from)
+                ((x - from) / (contact[0] - from), Some(shifts[0]))
             } else if x > contact[1] + SAME {
-                (zone[1] - x) / (zone[1] - contact[1])
+                ((zone[1] - x) / (zone[1] - contact[1]), Some(shifts[1]))
             } else {
-                1.0
+                (1.0, None)
             };
-            weight = weight.max(part.clamp(0.0, 1.0));
+            if part >= most.0 {
+                most = (part.min(1.0), shift);
+            }
         }
-        Some(if weight >= 1.0 {
-            1.0
-        } else {
-            weight * weight * (3.0 - 2.0 * weight)
-        })
+        let (part, shift) = most;
+        let weight = match part >= 1.0 {
+            true => 1.0,
+            false => part * part * (3.0 - 2.0 * part),
+        };
+        Some(Toward { weight, shift })
     }
 
     /// Depths of the faces of layers and of the cells in them, cut at a limit.

@@ -11,16 +11,18 @@
 //! end in the center of this circle: they are a fan.
 
 use super::super::super::distance;
+use super::super::bisect::zero;
 use super::outline::Outline;
 
 /// Cosine of the angle between the normals at the ends of the fan: 70 degrees.
 const FAN: f64 = 0.342;
-/// Length of each side on which circles are searched, of the contour.
+/// Length of each side from whose points circles are searched, and on which they may touch, of the
+/// contour.
 const REACH: [f64; 2] = [0.22, 0.3];
-/// Samples of each side, closer toward the nose.
+/// Samples of each side for both, closer toward the nose.
 const SAMPLES: [usize; 2] = [240, 600];
-/// Steps of the search for the point at which a circle touches.
-const STEPS: usize = 40;
+/// Part of the contour within which points are one.
+const SAME: f64 = 1e-7;
 /// Distance from the nose from which circles give way to lines, and the length over which they do,
 /// of the chord.
 const FADES: [f64; 2] = [0.1, 0.15];
@@ -52,34 +54,25 @@ pub(in super::super) struct Circle {
 }
 
 impl Front {
-    /// The circles of a contour; `None` if it has corners ahead, or no round nose.
+    /// The circles of a contour; `None` if it has corners ahead, or no round nose. The circles of a
+    /// mirrored contour are the mirrored circles: they are searched from points of both sides.
     pub fn new(outline: &Outline) -> Option<Self> {
-        let (nose, perimeter) = (outline.nose(), outline.perimeter());
-        let place = |side: usize, i: usize| {
-            let part = i as f64 / SAMPLES[side] as f64;
-            nose + [-1.0, 1.0][side] * REACH[side] * perimeter * part * part
-        };
-        let [from, to] = [0, 1].map(|side| place(side, SAMPLES[side]));
+        let (nose, reach) = (outline.nose(), REACH[0] * outline.perimeter());
         let mut corners = outline.breaks().iter();
-        if corners.any(|corner| corner.s > from && corner.s < to) {
+        if corners.any(|corner| (corner.s - nose).abs() < reach) {
             return None;
         }
-        let others: Vec<f64> = (1..=SAMPLES[1]).map(|j| place(1, j)).collect();
-        let others: Vec<(f64, [f64; 2])> = others
-            .into_iter()
-            .map(|s| (s, outline.position(s)))
-            .collect();
+        let mut pairs: Vec<[f64; 2]> = (0..2).flat_map(|side| pairs(outline, side)).collect();
+        pairs.sort_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+        let least = SAME * outline.perimeter();
         let mut partners: Vec<[f64; 2]> = Vec::new();
-        for i in 1..=SAMPLES[0] {
-            let s = place(0, i);
-            let Some(other) = partner(outline, s, &others) else {
-                break;
-            };
-            let [a, b] = [s, other].map(|s| outline.inward(s));
+        for pair in pairs {
+            let [a, b] = pair.map(|s| outline.inward(s));
             let is_fan = partners.is_empty() && a[0] * b[0] + a[1] * b[1] > FAN;
-            let is_behind = partners.last().is_none_or(|last| other > last[1]);
-            if !is_fan && is_behind {
-                partners.push([s, other]);
+            let is_behind =
+                |last: &[f64; 2]| pair[0] < last[0] - least && pair[1] > last[1] + least;
+            if !is_fan && partners.last().is_none_or(is_behind) {
+                partners.push(pair);
             }
         }
         let fan = *partners.first().filter(|_| partners.len() > 1)?;
@@ -92,12 +85,23 @@ impl Front {
         })
     }
 
-    /// The part that circles have of the pairs at a distance from the nose, with the fan up to
-    /// another one, of the chord.
-    pub fn part(x: f64, fan: f64) -> f64 {
+    /// Distances from the nose between which circles give way to lines, with the fan up to one of
+    /// these distances and the last circle at the other one, of the chord.
+    pub fn fade([fan, last]: [f64; 2]) -> [f64; 2] {
         let from = FADES[0].max(BEHIND_FAN * fan);
-        let part = ((x - from) / FADES[1]).clamp(0.0, 1.0);
+        let to = (from + FADES[1]).min(last);
+        [from.min(0.5 * (fan + to)), to]
+    }
+
+    /// The part that circles have of the pairs at a distance from the nose.
+    pub fn part(x: f64, [from, to]: [f64; 2]) -> f64 {
+        let part = ((x - from) / (to - from)).clamp(0.0, 1.0);
         1.0 - part * part * (3.0 - 2.0 * part)
+    }
+
+    /// The points of the last circle.
+    pub fn last(&self) -> [f64; 2] {
+        self.partners[self.partners.len() - 1]
     }
 
     /// Whether a point is in the fan; its side is 0 or 1.
@@ -111,13 +115,19 @@ impl Front {
         (s - self.nose) / (self.fan[side] - self.nose)
     }
 
-    /// The point of the suction side on the circle of a point of the pressure side behind the fan.
-    pub fn partner(&self, s: f64) -> f64 {
+    /// The point of the other side on the circle of a point of a side behind the fan; `None` behind
+    /// the last circle.
+    pub fn partner(&self, side: usize, s: f64) -> Option<f64> {
         let last = self.partners.len() - 1;
-        let after = self.partners.partition_point(|pair| pair[1] <= s);
-        let after = after.clamp(1, last);
-        let [[p0, q0], [p1, q1]] = [self.partners[after - 1], self.partners[after]];
-        p0 + (p1 - p0) * (s - q0) / (q1 - q0)
+        let is_before = |pair: &[f64; 2]| [pair[0] >= s, pair[1] <= s][side];
+        let after = self.partners.partition_point(is_before);
+        if after > last {
+            return None;
+        }
+        let after = after.max(1);
+        let [from, to] = [self.partners[after - 1], self.partners[after]];
+        let part = (s - from[side]) / (to[side] - from[side]);
+        Some(from[1 - side] + part * (to[1 - side] - from[1 - side]))
     }
 
     /// The circle of a pair of points.
@@ -140,9 +150,8 @@ impl Front {
     }
 }
 
-/// Radius of the circle that touches the contour at one point and goes through another.
-fn radius(outline: &Outline, s: f64, q: [f64; 2]) -> f64 {
-    let (p, n) = (outline.position(s), outline.inward(s));
+/// Radius of the circle that touches the contour at a point with this normal and goes through another.
+fn radius((p, n): ([f64; 2], [f64; 2]), q: [f64; 2]) -> f64 {
     let inward = n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]);
     if inward > 0.0 {
         distance(p, q).powi(2) / (2.0 * inward)
@@ -156,27 +165,42 @@ fn center(outline: &Outline, s: [f64; 2]) -> [f64; 2] {
     let points = s.map(|s| outline.position(s));
     let centers = [0, 1].map(|side| {
         let n = outline.inward(s[side]);
-        let r = radius(outline, s[side], points[1 - side]);
+        let r = radius((points[side], n), points[1 - side]);
         [0, 1].map(|i| points[side][i] + r * n[i])
     });
     [0, 1].map(|i| 0.5 * (centers[0][i] + centers[1][i]))
 }
 
+/// The pairs of samples of a side, as far as each has one, from the nose aft.
+fn pairs(outline: &Outline, side: usize) -> Vec<[f64; 2]> {
+    let place = |side: usize, which: usize, i: usize| {
+        let part = i as f64 / SAMPLES[which] as f64;
+        outline.nose() + [-1.0, 1.0][side] * REACH[which] * outline.perimeter() * part * part
+    };
+    let others = (1..=SAMPLES[1]).map(|j| place(1 - side, 1, j));
+    let others: Vec<(f64, [f64; 2])> = others.map(|s| (s, outline.position(s))).collect();
+    let own = (1..=SAMPLES[0]).map(|i| place(side, 0, i));
+    let pair = |s: f64| {
+        let other = partner(outline, s, &others)?;
+        Some(if side == 0 { [s, other] } else { [other, s] })
+    };
+    own.map_while(pair).collect()
+}
+
 /// The point of the other side, of which `others` are samples, on the largest circle at a point;
 /// `None` if it is at the end of the samples.
 fn partner(outline: &Outline, s: f64, others: &[(f64, [f64; 2])]) -> Option<f64> {
-    let radii: Vec<f64> = others.iter().map(|(_, q)| radius(outline, s, *q)).collect();
+    let touched = (outline.position(s), outline.inward(s));
+    let radii: Vec<f64> = others.iter().map(|(_, q)| radius(touched, *q)).collect();
     let best = (0..radii.len()).min_by(|a, b| radii[*a].total_cmp(&radii[*b]))?;
-    let after = others.get(best + 1)?.0;
-    let [mut a, mut b] = [others[best.max(1) - 1].0, after];
-    let of = |at: f64| radius(outline, s, outline.position(at));
-    for _ in 0..STEPS {
-        let [left, right] = [a + 0.381_966 * (b - a), a + 0.618_034 * (b - a)];
-        if of(left) < of(right) {
-            b = right;
-        } else {
-            a = left;
-        }
-    }
-    Some(0.5 * (a + b))
+    let ends = [others[best.max(1) - 1].0, others.get(best + 1)?.0];
+    // the circle touches the other side where its radius at q is along the normal
+    let off = |at: f64| {
+        let (q, m) = (outline.position(at), outline.inward(at));
+        let (p, n) = touched;
+        let r = radius(touched, q);
+        let d = [0, 1].map(|i| p[i] + r * n[i] - q[i]);
+        d[0] * m[1] - d[1] * m[0]
+    };
+    Some(zero(ends, off).unwrap_or(others[best].0))
 }

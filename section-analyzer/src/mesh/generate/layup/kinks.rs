@@ -15,6 +15,16 @@ pub(in super::super) struct Kink {
     pub near: f64,
 }
 
+impl Kink {
+    /// The order in which kinks get their stations, the same for mirror images: the nearest to their
+    /// stations first, lengths that are equal but for round-off by their distances from a place.
+    pub fn order(a: (f64, f64), b: (f64, f64)) -> std::cmp::Ordering {
+        let rounded = |near: f64| (near.ln() * 1e6).round();
+        let by_length = rounded(a.0).total_cmp(&rounded(b.0));
+        by_length.then(a.1.total_cmp(&b.1))
+    }
+}
+
 /// Place of a new station for a kink of a thickness at 0, with the places of the known ones: at
 /// the kink, or, if a known one is nearer than `near`, beyond the kink at this distance from the
 /// known one. None if a known one is `same`, or if there is one near on both sides.

@@ -138,7 +138,14 @@ impl Outline {
         self.perimeter = self.arcs[STEPS] + 0.5 * self.base;
         self.corners = self.sharp();
         let middle = self.middle();
-        self.nose = self.farthest(|point| distance(point, middle));
+        let near = self.farthest(|point| distance(point, middle));
+        // golden section finds the place of a maximum only to half of the digits
+        let reach = AT_CORNER * self.perimeter;
+        let away = |s: f64| {
+            let (p, n) = (self.position(s), self.inward(s));
+            (p[1] - middle[1]) * n[0] - (p[0] - middle[0]) * n[1]
+        };
+        self.nose = zero([near - reach, near + reach], away).unwrap_or(near);
         let near = |one: &&Corner| (one.s - self.nose).abs() < AT_CORNER * self.perimeter;
         if let Some(corner) = self.corners.iter().find(near) {
             self.nose = corner.s;

@@ -49,8 +49,9 @@ pub(in super::super) struct Pairs {
     lengths: [f64; 2],
     /// Arc length and x of points of each side, from the edge to the nose.
     table: [Vec<[f64; 2]>; 2],
-    /// The circles ahead, if layers meet there, and the x of the end of their fan.
-    front: Option<(Front, f64)>,
+    /// The circles ahead, if layers meet there, the x of the end of their fan, and those between which
+    /// they give way to lines.
+    front: Option<(Front, f64, [f64; 2])>,
 }
 
 /// A pair.
@@ -89,8 +90,10 @@ impl Pairs {
         };
         pairs.lengths = edges.map(|s| pairs.behind(s));
         pairs.front = front.map(|front| {
-            let end = pairs.behind(front.fan[0]) / pairs.lengths[0];
-            (front.clone(), end)
+            let own = |side: usize, s: f64| pairs.behind(s) / pairs.lengths[side];
+            let mean = |s: [f64; 2]| 0.5 * (own(0, s[0]) + own(1, s[1]));
+            let end = mean(front.fan);
+            (front.clone(), end, Front::fade([end, mean(front.last())]))
         });
         pairs.table = [0, 1].map(|side| {
             let (from, to) = (edges[side], outline.nose());
@@ -109,23 +112,25 @@ impl Pairs {
     /// The x of a point; its side is 0 or 1.
     pub fn x(&self, side: usize, s: f64) -> f64 {
         let own = self.behind(s) / self.lengths[side];
-        let Some((front, end)) = &self.front else {
+        let Some((front, end, fade)) = &self.front else {
             return own;
         };
         if front.is_fan(side, s) {
             return end * front.part_of_fan(side, s);
         }
-        let part = Front::part(own, *end);
-        if side == 0 || part == 0.0 {
+        // both points of a circle have the mean of their distances
+        let Some(partner) = front.partner(side, s) else {
             return own;
-        }
-        let partner = self.behind(front.partner(s)) / self.lengths[0];
-        part * partner + (1.0 - part) * own
+        };
+        let other = self.behind(partner) / self.lengths[1 - side];
+        let mean = 0.5 * (own + other);
+        let part = Front::part(mean, *fade);
+        part * mean + (1.0 - part) * own
     }
 
     /// The x of the end of the fan, if there is one.
     pub fn fan(&self) -> Option<f64> {
-        self.front.as_ref().map(|(_, end)| *end)
+        self.front.as_ref().map(|(_, end, _)| *end)
     }
 
     /// Foremost x at which layers can meet.
@@ -136,7 +141,7 @@ impl Pairs {
     /// The direction to the center of the fan at an arc length of it, of unit component along the
     /// normal.
     pub fn to_center(&self, side: usize, s: f64) -> Option<[f64; 2]> {
-        let (front, _) = self.front.as_ref()?;
+        let (front, ..) = self.front.as_ref()?;
         let is_fan = front.is_fan(side, s);
         is_fan.then(|| {
             let circle = front.circle(&self.outline, front.fan);
@@ -171,9 +176,9 @@ impl Pairs {
         s
     }
 
-    /// Length from the nose to the edge of the suction side, x = 1.
+    /// Length from the nose to the edges, x = 1.
     pub fn scale(&self) -> f64 {
-        self.lengths[0]
+        0.5 * (self.lengths[0] + self.lengths[1])
     }
 
     /// The pair at x.
@@ -189,8 +194,8 @@ impl Pairs {
         let length = distance(p, q).max(f64::MIN_POSITIVE);
         let along = [0, 1].map(|i| (q[i] - p[i]) / length);
         let cosine = |side: usize, sign: f64| (sign * dot(along, normals[side])).max(LEAST_COSINE);
-        let circle = self.front.as_ref().map(|(front, end)| {
-            let part = Front::part(self.x(0, s[0]), *end);
+        let circle = self.front.as_ref().map(|(front, _, fade)| {
+            let part = Front::part(self.x(0, s[0]), *fade);
             (front.circle(&self.outline, s), part)
         });
         Pair {
@@ -269,7 +274,7 @@ impl Pairs {
         } else if closed {
             found.push([1.0, 1.0]);
         }
-        let length = self.lengths[0];
+        let length = self.scale();
         let mut joined: Vec<[f64; 2]> = Vec::new();
         for one in found {
             match joined
@@ -316,6 +321,7 @@ impl Pairs {
             }
             last = next;
         }
+        cuts.sort_by(f64::total_cmp);
         cuts
     }
 }
@@ -384,29 +390,37 @@ impl Pair {
         share(needs, [0.5 * self.length; 2])
     }
 
-    /// The point in which the columns of both sides end.
-    fn meeting(&self, stack: &Stack, (circle, part): &(Circle, f64)) -> [f64; 2] {
-        let needs = self.s.map(|s| stack.total(s));
-        // the line between both points has this part of the normals
-        let cosine = dot(self.along, self.normals[0]).clamp(0.0, 1.0);
-        let most = circle.radii[0] * cosine * cosine;
-        let shift = share(needs, circle.radii) - circle.radii[0];
-        let shift = if circle.is_fan || cosine == 0.0 {
-            0.0
-        } else {
-            shift.clamp(-most, most) / cosine
+    /// Distance from the center of the circle at which the columns of both sides end in a contact, along
+    /// the normal of the suction side, or of the pressure side if it is negative: this side takes more,
+    /// and keeps its normal, so that its columns do not cross; 0 without a circle.
+    pub fn shift(&self, stack: &Stack) -> f64 {
+        let Some((circle, _)) = self.circle.filter(|(circle, _)| !circle.is_fan) else {
+            return 0.0;
         };
+        // of the line between both points this part is along the normals
+        let cosine = dot(self.along, self.normals[0]) - dot(self.along, self.normals[1]);
+        let cosine = (0.5 * cosine).clamp(0.0, 1.0);
+        let most = 0.5 * (circle.radii[0] + circle.radii[1]) * cosine * cosine;
+        let needs = self.s.map(|s| stack.total(s));
+        (share(needs, circle.radii) - circle.radii[0]).clamp(-most, most)
+    }
+
+    /// The point at a distance from the center of the circle, as of [`Pair::shift`].
+    fn shifted(&self, shift: f64, stack: &Stack, (circle, part): &(Circle, f64)) -> [f64; 2] {
+        let normal = self.normals[usize::from(shift < 0.0)];
         let first = self.first(stack);
         let of_line = |i: usize| self.points[0][i] + first * self.along[i];
-        let of_circle = |i: usize| circle.center[i] + shift * self.along[i];
+        let of_circle = |i: usize| circle.center[i] + shift.abs() * normal[i];
         [0, 1].map(|i| part * of_circle(i) + (1.0 - part) * of_line(i))
     }
 
-    /// The direction from a side to the other one in a contact, of unit component along the normal.
-    pub fn direction(&self, side: usize, stack: &Stack) -> [f64; 2] {
+    /// The direction from a side to the other one in a contact, of unit component along the normal;
+    /// beside a contact ahead with the shift at its end, so that columns turn slowly.
+    pub fn direction(&self, side: usize, stack: &Stack, shift: Option<f64>) -> [f64; 2] {
         match &self.circle {
             Some(circle) => {
-                let to = self.meeting(stack, circle);
+                let shift = shift.unwrap_or_else(|| self.shift(stack));
+                let to = self.shifted(shift, stack, circle);
                 toward(to, self.points[side], self.normals[side])
             }
             None => {
@@ -419,7 +433,7 @@ impl Pair {
     /// Depth of the contact below a side.
     pub fn limit(&self, side: usize, stack: &Stack) -> f64 {
         if let Some(circle) = &self.circle {
-            let to = self.meeting(stack, circle);
+            let to = self.shifted(self.shift(stack), stack, circle);
             let d = [0, 1].map(|i| to[i] - self.points[side][i]);
             return dot(d, self.normals[side]);
         }

@@ -122,6 +122,28 @@ pub enum LayupProblem {
         /// The thickest layer there, and its thickness [unit of the mesh].
         thickest: (String, f64),
     },
+    /// Layers of both sides that meet ahead.
+    #[error("the layers of both sides take {} of the {} between arc {} and arc {}: layer \"{layer}\" does not fit; the thickest one there is \"{}\" with {}", short(*.taken), short(*.length), short(.arcs[0]), short(.arcs[1]), .thickest.0, short(.thickest.1))]
+    Meeting {
+        /// The innermost layer of the side with the thicker layers.
+        layer: String,
+        /// The arcs of the points on both sides [-].
+        arcs: [f64; 2],
+        /// Length of the line between both that the layers take [unit of the mesh].
+        taken: f64,
+        /// Length of the line [unit of the mesh].
+        length: f64,
+        /// The thickest layer of this side there, and its thickness [unit of the mesh].
+        thickest: (String, f64),
+    },
+    /// Layers with too little space that are cut where both sides meet, whose cells fail.
+    #[error("{space}; without the part that has no space, {cells}")]
+    Crowded {
+        /// The layers and the space.
+        space: Box<LayupProblem>,
+        /// The problem of the cells.
+        cells: Box<LayupProblem>,
+    },
     /// A web that leaves the contour.
     #[error("{web} does not meet the inner face of the {side} side near arc {}", short(*.arc))]
     WebOutside {
@@ -213,13 +235,13 @@ pub enum LayupProblem {
         position: [f64; 2],
     },
     /// Cells that fold.
-    #[error("{count} cells fold, the first one in layer \"{layer}\" at ({}, {})", short(.position[0]), short(.position[1]))]
+    #[error("{count} cells fold, the worst one in layer \"{layer}\" at ({}, {})", short(.position[0]), short(.position[1]))]
     Folded {
-        /// The layer of the first one.
+        /// The layer of the worst one.
         layer: String,
         /// Their number.
         count: usize,
-        /// Center of the first one [unit of the mesh].
+        /// Center of the worst one [unit of the mesh].
         position: [f64; 2],
     },
     /// Cells with more area than the layers.
@@ -254,10 +276,12 @@ impl LayupProblem {
             | Self::Thickness { layer, .. }
             | Self::Arcs { layer, .. }
             | Self::Tight { layer, .. }
+            | Self::Meeting { layer, .. }
             | Self::Folded { layer, .. }
             | Self::Area { layer, .. }
             | Self::BehindSpar { layer, .. }
             | Self::AtSpar { layer, .. } => Some(layer),
+            Self::Crowded { space, .. } => space.about(),
             Self::SparPlies { web, .. }
             | Self::NoRoomAtEdge { web, .. }
             | Self::ContactAtEdge { web, .. } => Some(web),
@@ -281,11 +305,21 @@ impl LayupProblem {
                 | Self::Size { .. }
                 | Self::NoRoomAtEdge { .. }
                 | Self::Tight { .. }
+                | Self::Meeting { .. }
+                | Self::Crowded { .. }
                 | Self::WebsOverlap { .. }
                 | Self::SparPlies { .. }
                 | Self::SpaceShape { .. }
                 | Self::Folded { .. }
         )
+    }
+
+    /// The position of its cells, if it has one [unit of the mesh].
+    pub(super) fn position(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Folded { position, .. } | Self::SpaceShape { position, .. } => Some(*position),
+            _ => None,
+        }
     }
 
     /// Whether other cells may solve the problem.
@@ -313,7 +347,9 @@ impl Explain for LayupProblem {
                  trailing edge: the layers are then closed as its base allows"
             }
             Self::Open => "let a layer run all around, from arc 0 to 1",
-            Self::Tight { .. } => "thinner layers there, or layers that end before it",
+            Self::Tight { .. } | Self::Meeting { .. } | Self::Crowded { .. } => {
+                "thinner layers there, or layers that end before it"
+            }
             Self::WebOutside { .. } | Self::WebInContact { .. } => "move the web, or leave it out",
             Self::WebsOverlap { .. } | Self::WebsCross { .. } => {
                 "move one of them, or leave it out"

@@ -295,7 +295,9 @@ impl Stack {
             };
             is_same
         });
-        kinks.sort_by(|a, b| a.near.total_cmp(&b.near));
+        // in one order for mirror images
+        let off = |kink: &Kink| (kink.s - 0.5 * self.perimeter).abs();
+        kinks.sort_by(|a, b| Kink::order((a.near, off(a)), (b.near, off(b))));
         kinks
     }
 }
@@ -378,18 +380,7 @@ fn place(courses: &mut [Course], mut ends: Vec<End>, perimeter: f64, size: f64) 
     // on a ring both ends of the contour are one place, on its own side each
     let seam = |end: &End| if end.at >= perimeter { 0.0 } else { end.at };
     ends.sort_by(|a, b| seam(a).total_cmp(&seam(b)));
-    let mut rest = ends.as_slice();
-    while let Some(first) = rest.first() {
-        let mut reach = first.moved;
-        let mut count = 1;
-        while let Some(end) = rest.get(count) {
-            reach = reach.min(end.moved);
-            if seam(end) - seam(first) > reach {
-                break;
-            }
-            count += 1;
-        }
-        let (group, after) = rest.split_at(count);
+    for group in groups(ends, seam) {
         let mean = group.iter().map(seam).sum::<f64>() / group.len() as f64;
         let of = |value: fn(&End) -> f64| group.iter().map(value);
         let longest = of(|end| end.ramp).fold(0.0, f64::max);
@@ -401,6 +392,26 @@ fn place(courses: &mut [Course], mut ends: Vec<End>, perimeter: f64, size: f64) 
             let at = if end.at >= perimeter { perimeter } else { mean };
             courses[end.layer].ramps[end.which] = Some([at - half, at + half]);
         }
-        rest = after;
+    }
+}
+
+/// The ends of each place, of ends in the order of their places: of neighbors the nearest ones join
+/// first, as long as each end may be moved by the length of the group.
+fn groups(ends: Vec<End>, at: impl Fn(&End) -> f64) -> Vec<Vec<End>> {
+    let mut groups: Vec<Vec<End>> = ends.into_iter().map(|end| vec![end]).collect();
+    let length = |groups: &[Vec<End>], i: usize| {
+        let [first, next] = [&groups[i], &groups[i + 1]];
+        let length = at(&next[next.len() - 1]) - at(&first[0]);
+        let both = || first.iter().chain(next);
+        let moved = both().map(|end| end.moved).fold(f64::INFINITY, f64::min);
+        (length <= moved).then_some(length)
+    };
+    loop {
+        let near = (1..groups.len()).filter_map(|i| Some((length(&groups, i - 1)?, i)));
+        let Some((_, second)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+            return groups;
+        };
+        let joined = groups.remove(second);
+        groups[second - 1].extend(joined);
     }
 }

@@ -7,8 +7,10 @@
 //! and the turn of the surface; between a web's boundaries nothing is divided.
 
 use super::super::spacing::Progress;
-use super::kinks::{NEAR, beside};
+use super::column::Toward;
+use super::kinks::{Kink, NEAR, beside};
 use super::pairs::Pair;
+use super::remedies::FINE;
 use super::wall::{Edge, Wall};
 use super::webs::Standing;
 
@@ -16,6 +18,8 @@ use super::webs::Standing;
 const TURN: f64 = 0.14;
 /// Gap before a contact from which a station stands ahead of it, in sizes of cells.
 const STRETCHED: f64 = 1e-3;
+/// Round-off of a number of cells.
+const ROUND_OFF: f64 = 1e-6;
 /// Samples of the density of stations in an interval.
 const SAMPLES: usize = 24;
 
@@ -34,8 +38,8 @@ pub(in super::super) struct Stations {
     /// In the order of the contour. On a ring the last one is the first one again, one
     /// length of the contour further.
     pub all: Vec<Station>,
-    /// The pairs, and the part of their direction in the direction of their columns.
-    pub pairs: Vec<(Pair, f64)>,
+    /// The pairs, and the lean of their columns.
+    pub pairs: Vec<(Pair, Toward)>,
 }
 
 /// A mark along x.
@@ -64,8 +68,8 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
         for mark in zone_marks(wall, webs, *zone) {
             let s = [0, 1].map(|side| wall.pairs.at(side, mark.at));
             let pair = Some(pairs.len());
-            let weight = wall.weight_at(mark.at).unwrap_or(0.0);
-            pairs.push((wall.pairs.between(s), weight));
+            let lean = wall.toward_at(mark.at).unwrap_or(Toward::NONE);
+            pairs.push((wall.pairs.between(s), lean));
             // both points are one at the nose
             let is_nose = s[0] >= s[1];
             let points = s.into_iter().take(if is_nose { 1 } else { 2 });
@@ -186,17 +190,18 @@ fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark>
     }
     let kinks = wall.stack.kinks();
     let kinks = kinks.iter().filter(|kink| zone_of(wall, kink.s).is_some());
-    for kink in kinks {
-        let at = wall.pairs.x(side(wall, kink.s), kink.s);
-        let one = mark(at, Kind::Kink(kink.near / wall.pairs.scale()));
-        marks.extend(Some(one).filter(|one| is_in(one.at)));
-    }
+    let x = |s: f64| wall.pairs.x(side(wall, s), s);
+    let mut kinks: Vec<(f64, f64)> = kinks.map(|kink| (kink.near, x(kink.s))).collect();
+    kinks.sort_by(|a, b| Kink::order(*a, *b));
+    let kinks = kinks.into_iter().filter(|(_, at)| is_in(*at));
+    marks.extend(kinks.map(|(near, at)| mark(at, Kind::Kink(near / wall.pairs.scale()))));
     let fan = wall.pairs.fan().filter(|end| is_in(*end));
     marks.extend(fan.map(|end| mark(end, Kind::Fixed)));
     let last = if to >= 1.0 { Kind::Fixed } else { Kind::Soft };
     marks.extend([mark(from, Kind::Soft), mark(to, last)]);
     let scale = wall.size / wall.pairs.scale();
-    let mut marks = divided_zone(wall, &thinned(marks, NEAR * scale));
+    let size = wall.size * wall.fineness([from, to]);
+    let mut marks = divided_zone(wall, size, &thinned(marks, NEAR * scale));
     let is_free = |mark: &Mark| {
         let near = match mark.kind {
             Kind::Fixed => return true,
@@ -235,14 +240,15 @@ fn thinned(marks: Vec<Mark>, near: f64) -> Vec<Mark> {
 }
 
 /// The marks of a zone with those between them.
-fn divided_zone(wall: &Wall, marks: &[Mark]) -> Vec<Mark> {
+fn divided_zone(wall: &Wall, size: f64, marks: &[Mark]) -> Vec<Mark> {
     let mut all = Vec::new();
     for pair in marks.windows(2) {
         all.push(pair[0]);
         let [from, to] = [pair[0].at, pair[1].at];
         let length = |side: usize| (wall.pairs.at(side, from) - wall.pairs.at(side, to)).abs();
-        let cells = (length(0).max(length(1)) / wall.size).max(turn_ahead(wall, [from, to]) / TURN);
-        let cells = cells.ceil().max(1.0);
+        let cells = (length(0).max(length(1)) / size).max(turn_ahead(wall, [from, to]) / TURN);
+        // a ramp may be exactly as long as a cell
+        let cells = (cells - ROUND_OFF).ceil().max(1.0);
         all.extend((1..cells as usize).map(|i| Mark {
             at: from + (to - from) * i as f64 / cells,
             kind: Kind::Soft,
@@ -294,7 +300,8 @@ fn between(wall: &Wall, from: f64, to: f64) -> Vec<f64> {
     let step = (to - from) / SAMPLES as f64;
     let density = |i: usize| {
         let s = (from + step * (i as f64 + 0.5)).rem_euclid(perimeter);
-        (1.0 / wall.size).max(wall.outline.bend(s).abs() / TURN)
+        let part = if wall.is_fine(s) { FINE } else { 1.0 };
+        (1.0 / (part * wall.size)).max(wall.outline.bend(s).abs() / TURN)
     };
     let densities: Vec<f64> = (0..SAMPLES).map(density).collect();
     let progress = Progress::new([from, to], &densities);

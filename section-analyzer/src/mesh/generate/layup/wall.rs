@@ -7,16 +7,13 @@ use super::mitre::{MOST_OF_WAY, Mitre, mitres};
 use super::outline::Outline;
 use super::pairs::{FOREMOST, JOINED, Pair, Pairs};
 use super::problem::{LayupProblem, Upright};
+use super::remedies::Remedies;
 use super::spar::SparWall;
 use super::stack::Stack;
 use super::types::{Layer, LayupSection, SIDES, Spar, Web};
 
 /// Reach of a contact, in sizes of cells and in thicknesses.
 const REACH: [f64; 2] = [2.5, 1.5];
-/// Part of the radius of the inscribed circle that layers may fill.
-const FULL: f64 = 0.98;
-/// Samples around the contour in the search for radii.
-const SAMPLES: usize = 500;
 
 /// Least part of the base between the layers of both sides at a web.
 const LEAST_GAP: f64 = 0.05;
@@ -24,12 +21,6 @@ const LEAST_GAP: f64 = 0.05;
 const LEAST_HEIGHT: f64 = 5e-4;
 /// The foremost place at which an edge is cut off, of the chord.
 const FOREMOST_CUT: f64 = 0.5;
-/// Part of the contour within which two points of it are one.
-const SEAM: f64 = 1e-4;
-
-/// A factor of the reach of contacts.
-#[derive(Debug, Clone, Copy)]
-pub(in super::super) struct Reach(pub f64);
 
 /// Shape of the wall at its rear end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,8 +63,14 @@ pub(in super::super) struct Wall {
     pub ends: [f64; 2],
     /// Intervals of x in which the layers meet.
     pub contacts: Vec<[f64; 2]>,
+    /// Shifts of the pairs at their ends.
+    pub shifts: Vec<[f64; 2]>,
     /// Intervals of x with stations in pairs.
     pub zones: Vec<[f64; 2]>,
+    /// Parts of the length of cells along the contour that they have in the zones.
+    fineness: Vec<f64>,
+    /// Intervals of the arc length with shorter cells.
+    fine: Vec<[f64; 2]>,
     /// Length of cells along the contour.
     pub size: f64,
     /// Mitres at its corners.
@@ -92,15 +89,15 @@ impl Wall {
         section: &LayupSection,
         outline: &Outline,
         size: f64,
-        reach: Reach,
+        remedies: &Remedies,
     ) -> Result<Self, LayupProblem> {
         let made = |shape: Shape<'_>| match section.at_edge().next() {
-            Some(web) => Self::ended((section, web), shape, size, reach),
-            None => Self::closed(section, shape, size, reach),
+            Some(web) => Self::ended((section, web), shape, size, remedies),
+            None => Self::closed(section, shape, size, remedies),
         };
         let wall = made((outline, None))?;
         wall.check_spar()?;
-        let Err(tight) = wall.check_radii() else {
+        let Some(tight) = wall.tight_space() else {
             return Ok(wall);
         };
         let can_meet = wall.edge != Edge::Smooth && wall.spar.is_none();
@@ -121,7 +118,7 @@ impl Wall {
         (section, web): (&LayupSection, &Web),
         shape: Shape<'_>,
         size: f64,
-        reach: Reach,
+        remedies: &Remedies,
     ) -> Result<Self, LayupProblem> {
         let mut wall = Self {
             edge: Edge::Butt,
@@ -137,7 +134,7 @@ impl Wall {
         if base - taken < LEAST_GAP * base || base <= 0.0 {
             return Err(LayupProblem::NoRoomAtEdge { web, base, taken });
         }
-        wall.find_contacts(reach);
+        wall.find_contacts(remedies);
         let at_end = wall.contacts.last().filter(|one| one[1] >= 1.0);
         if let Some([from, to]) = at_end.filter(|one| one[0] < 1.0) {
             let arc = |x: &f64| wall.pairs.at(0, *x) / outline.perimeter();
@@ -152,7 +149,7 @@ impl Wall {
         section: &LayupSection,
         shape: Shape<'_>,
         size: f64,
-        reach: Reach,
+        remedies: &Remedies,
     ) -> Result<Self, LayupProblem> {
         let ring = Self::of_kind(of(section), shape, size, true)?;
         let mut wall = match shape.0.is_smooth() {
@@ -164,17 +161,20 @@ impl Wall {
             false => Self::of_kind(of(section), shape, size, false)?,
         };
         if wall.edge == Edge::Wall {
-            wall.find_contacts(reach);
+            wall.find_contacts(&Remedies::default());
             let fade = wall.rear().map(Mitre::reach).fold(0.0, f64::max);
             let meets = |zone: &[f64; 2]| zone[1] >= 1.0 - fade / wall.chord();
             if wall.zones.iter().any(meets) {
                 wall = Self::of_kind(of(section), shape, size, false)?;
+            } else {
+                wall.find_contacts(remedies);
             }
         }
         if wall.edge == Edge::Face {
             wall.cut_thin_edge()?;
-            wall.find_contacts(reach);
+            wall.find_contacts(remedies);
         }
+        wall.fine = remedies.fine.clone();
         Ok(wall)
     }
 
@@ -227,7 +227,10 @@ impl Wall {
             edge: if is_ring { Edge::Wall } else { Edge::Face },
             ends,
             contacts: Vec::new(),
+            shifts: Vec::new(),
             zones: Vec::new(),
+            fineness: Vec::new(),
+            fine: Vec::new(),
             size,
             front: front.cloned(),
             tight: None,
@@ -260,6 +263,17 @@ impl Wall {
             }
         }
         Ok(())
+    }
+
+    /// Part of the length of cells along the contour that they have in a zone.
+    pub fn fineness(&self, zone: [f64; 2]) -> f64 {
+        let known = self.zones.iter().position(|one| *one == zone);
+        known.map_or(1.0, |number| self.fineness[number])
+    }
+
+    /// Whether cells at an arc length are shorter.
+    pub fn is_fine(&self, s: f64) -> bool {
+        self.fine.iter().any(|[from, to]| s > *from && s < *to)
     }
 
     fn chord(&self) -> f64 {
@@ -337,7 +351,7 @@ impl Wall {
     }
 
     /// Finds where the layers meet, and the zones around.
-    fn find_contacts(&mut self, Reach(factor): Reach) {
+    fn find_contacts(&mut self, remedies: &Remedies) {
         // also the columns at a web lean onto the base
         let is_face = !self.edge.is_ring();
         let points = self.samples();
@@ -351,18 +365,28 @@ impl Wall {
         }
         let chord = self.chord();
         let mut zones: Vec<[f64; 2]> = Vec::new();
-        for [from, to] in self.contacts.clone() {
+        let mut fineness: Vec<f64> = Vec::new();
+        let shift = |x: f64| self.pairs.pair(x).shift(&self.stack);
+        self.shifts = self.contacts.iter().map(|ends| ends.map(shift)).collect();
+        for (number, [from, to]) in self.contacts.iter().copied().enumerate() {
+            let (factor, part) = remedies.of(number);
             let reach = |x: f64| self.reach_at(x) * factor / chord;
             // a zone begins at the nose or behind the fan
             let fan = self.pairs.fan().filter(|_| from > 0.0);
             let first = fan.unwrap_or(self.pairs.foremost());
             let zone = [(from - reach(from)).max(first), (to + reach(to)).min(1.0)];
             match zones.last_mut().filter(|last| last[1] >= zone[0]) {
-                Some(last) => last[1] = zone[1],
-                None => zones.push(zone),
+                Some(last) => {
+                    last[1] = zone[1];
+                    fineness[zones.len() - 1] = part.min(fineness[zones.len() - 1]);
+                }
+                None => {
+                    zones.push(zone);
+                    fineness.push(part);
+                }
             }
         }
-        self.zones = zones;
+        (self.zones, self.fineness) = (zones, fineness);
     }
 
     /// Lets the sides meet over the thickness of the layers ahead of the edge, as the wall across the
@@ -383,73 +407,5 @@ impl Wall {
         let pair = self.pairs.pair(x);
         let thick = pair.s.map(|s| self.stack.total(s));
         (REACH[0] * self.size).max(REACH[1] * thick[0].max(thick[1]))
-    }
-
-    /// Arc lengths and points of samples of both sides.
-    fn samples(&self) -> Vec<(f64, [f64; 2])> {
-        let [aft, end] = self.outline.corners();
-        let at = |i: usize| aft + (end - aft) * i as f64 / SAMPLES as f64;
-        (0..=SAMPLES)
-            .map(|i| (at(i), self.outline.position(at(i))))
-            .collect()
-    }
-
-    /// Radius of the largest inscribed circle that touches the contour at an arc length, with
-    /// samples of the contour.
-    fn radius(&self, s: f64, points: &[(f64, [f64; 2])]) -> f64 {
-        let outline = &self.outline;
-        // in a mitre the columns of both sides meet on its line
-        let is_round = outline.is_round_behind();
-        let mut mitres = self.mitres.iter().filter(|one| is_round || !one.is_rear);
-        if mitres.any(|one| one.part(s).is_some()) {
-            return f64::INFINITY;
-        }
-        let (p, n, nose) = (outline.position(s), outline.inward(s), outline.nose());
-        let mut radius = 1.0 / outline.bend(s).max(1e-12);
-        for (other, q) in points {
-            let d = [q[0] - p[0], q[1] - p[1]];
-            let inward = n[0] * d[0] + n[1] * d[1];
-            // at the seam of a closed contour both sides have one point
-            let is_apart = d[0].hypot(d[1]) > SEAM * outline.perimeter();
-            if (*other > nose) != (s > nose) && inward > 0.0 && is_apart {
-                radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
-            }
-        }
-        radius
-    }
-
-    /// Refuses layers that are thicker than the inscribed circles of the nose.
-    fn check_radii(&self) -> Result<(), LayupProblem> {
-        let (outline, points) = (&self.outline, self.samples());
-        for (s, _) in &points {
-            let side = usize::from(*s > outline.nose());
-            let is_checked = outline.is_smooth() || self.pairs.x(side, *s) < FOREMOST;
-            if !is_checked {
-                continue;
-            }
-            let radius = self.radius(*s, &points);
-            let thickness = self.stack.total(*s);
-            if thickness > FULL * radius {
-                return Err(self.tight(*s, thickness, radius));
-            }
-        }
-        match self.contacts.iter().find(|one| one[0] <= FOREMOST) {
-            None => Ok(()),
-            Some(_) => {
-                let pair = self.pairs.pair(FOREMOST);
-                let thickness = self.stack.total(pair.s[0]);
-                Err(self.tight(pair.s[0], thickness, 0.5 * pair.length))
-            }
-        }
-    }
-
-    fn tight(&self, s: f64, thickness: f64, radius: f64) -> LayupProblem {
-        LayupProblem::Tight {
-            layer: self.stack.innermost(s).to_owned(),
-            arc: s / self.outline.perimeter(),
-            thickness,
-            radius,
-            thickest: self.stack.thickest(s),
-        }
     }
 }

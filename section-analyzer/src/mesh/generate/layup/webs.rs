@@ -10,7 +10,7 @@
 //! are nodes of the web, so that web and wall share their nodes.
 
 use super::super::bisect::bisect;
-use super::kinks::beside;
+use super::kinks::{Kink, beside};
 use super::line::Line;
 use super::problem::{LayupProblem, Upright};
 use super::types::{Bound, LayupSection, SIDES, Web};
@@ -205,23 +205,21 @@ impl Search<'_> {
     /// Offsets of the ends of ramps under the feet, which become boundaries.
     fn added(&self, standing: &Standing, offsets: &[f64]) -> Vec<f64> {
         let same = 1e-10 * self.wall.outline.perimeter();
-        let mut added: Vec<f64> = Vec::new();
+        let is_within = |offset: &f64| *offset < offsets[0] && *offset > offsets[offsets.len() - 1];
+        let kinks = self.wall.stack.kinks();
+        let mut found: Vec<(f64, f64)> = Vec::new();
         for side in 0..2 {
             let [low, high] = standing.range(side);
-            let inside = self
-                .wall
-                .stack
-                .kinks()
-                .into_iter()
-                .filter(|kink| kink.s > low && kink.s < high);
-            for kink in inside {
-                let offset = self.offset(self.wall.column(kink.s).inner());
-                let is_within =
-                    |offset: &f64| *offset < offsets[0] && *offset > offsets[offsets.len() - 1];
-                let known = offsets.iter().chain(&added).map(|other| other - offset);
-                let by = beside(known, kink.near, same).filter(|_| is_within(&offset));
-                added.extend(by.map(|by| offset + by).filter(is_within));
-            }
+            let inside = kinks.iter().filter(|kink| kink.s > low && kink.s < high);
+            let offset = |s: f64| self.offset(self.wall.column(s).inner());
+            found.extend(inside.map(|kink| (kink.near, offset(kink.s))));
+        }
+        found.sort_by(|a, b| Kink::order(*a, *b));
+        let mut added: Vec<f64> = Vec::new();
+        for (near, offset) in found {
+            let known = offsets.iter().chain(&added).map(|other| other - offset);
+            let by = beside(known, near, same).filter(|_| is_within(&offset));
+            added.extend(by.map(|by| offset + by).filter(is_within));
         }
         added
     }
