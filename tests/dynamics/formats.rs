@@ -72,7 +72,7 @@ fn compare(case: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     assert!(error < tolerance, "{case}: {found:?} {expected:?}");
 }
 
-/// The blade of DTU 10 MW from its file of HAWC2, and the same with the damping of the card: the file says
+/// The blade of DTU 10 MW from its file of HAWC2, and the same with the damping of the card: the file states
 /// that its factors are tuned to a damping of 3 %, as logarithmic decrement, 0.477 % of the critical one. The
 /// factors are rounded and one for all edgewise modes: within 8 % at the first flap and edge modes.
 #[test]

@@ -33,7 +33,7 @@ const LEAST_IN_PLANE: f64 = 1e-6;
 
 /// Intervals of the search in a quadrant: the second number if the first finds nothing.
 ///
-/// The first one is the same as in descent, so that of several states in stall a turbine and its image in
+/// The first one is the same as in descent, so that among several states in stall a turbine and its image in
 /// the mirror have the same one.
 const INTERVALS: [usize; 2] = [40, 200];
 

@@ -22,7 +22,6 @@ use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
 
-use super::PART;
 use super::layout::{BladeLayout, LayoutNode};
 use super::mesh::Ends;
 use super::problem::BladeProblem;
@@ -110,7 +109,7 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
 
 /// Notes a tower or a wing whose file has another line, as of the blade in a file with several bodies.
 fn is_of_part(table: &Table<'_>, (file, found): (&str, f64), expected: Option<f64>) -> Option<()> {
-    let expected = expected.filter(|_| table.has(&PART));
+    let expected = expected.filter(|_| table.has("part"));
     let Some(expected) = expected.filter(|length| (found - length).abs() > SAME_LENGTH * length)
     else {
         return Some(());

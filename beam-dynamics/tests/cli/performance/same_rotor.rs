@@ -183,6 +183,18 @@ fn keys_act_on_strips_as_on_panels() {
     }
 }
 
+/// A `[[strip]]` along the beams of a blade, with further keys.
+fn on_beams(blade: usize, keys: &str) -> String {
+    let beams = (1..=12).map(|number| format!("\"b {blade}/beam {number}\""));
+    let beams: Vec<_> = beams.collect();
+    let half = 3f64.sqrt() / 2.0;
+    let [x, y] = [[0.0, 1.0], [-half, -0.5], [half, -0.5]][blade - 1];
+    format!(
+        "[[strip]]\nname = \"s{blade}\"\nbeams = [{}]\nforward = [{x}, {y}, 0]\nstrips = 4\n{keys}",
+        beams.join(", ")
+    )
+}
+
 /// Delay of stall on stations that are typed, on the same in a file, and on a `[[strip]]` along the beams of
 /// each blade: one thrust and power. The file has its stations at the quarter chord, as the others.
 #[test]
@@ -207,20 +219,6 @@ fn stall_is_delayed_alike_on_stations_files_and_strips() {
     });
     let delay = "stall_delay = { law = \"Snel\", to = 0.6 }\n";
     let of_blade = |keys: &str| format!("[blade.aerodynamics]\nstrips = 4\n{keys}");
-    let on_beams = |blade: usize| {
-        let beams = (1..=12).map(|number| format!("\"b {blade}/beam {number}\""));
-        let beams: Vec<_> = beams.collect();
-        let [x, y] = [
-            [0.0, 1.0],
-            [-3f64.sqrt() / 2.0, -0.5],
-            [3f64.sqrt() / 2.0, -0.5],
-        ][blade - 1];
-        format!(
-            "[[strip]]\nname = \"s{blade}\"\nbeams = [{}]\nforward = [{x}, {y}, 0]\nstrips = 4\n{delay}{typed}\
-             inflow = \"rotor\"\nsection = \"quasi_steady\"\n",
-            beams.join(", ")
-        )
-    };
     let keys = "inflow = \"rotor\"\nsection = \"quasi_steady\"\n";
     let run = |air: &str| {
         folder.write(
@@ -247,7 +245,8 @@ fn stall_is_delayed_alike_on_stations_files_and_strips() {
         "{expected:?} {without:?}"
     );
     let file = format!("{keys}{delay}file = \"blade.dat\"\nairfoils = [\"soft\"]\n");
-    let strips: String = (1..=3).map(on_beams).collect();
+    let of_strip = format!("{delay}{typed}{keys}");
+    let strips: String = (1..=3).map(|blade| on_beams(blade, &of_strip)).collect();
     for air in [of_blade(&file), strips] {
         let found = run(&air);
         let apart = [0, 1].map(|i| (found[i] / expected[i] - 1.0).abs());
