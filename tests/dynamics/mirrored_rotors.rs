@@ -17,19 +17,20 @@ fn parsed(cards: &str) -> Input {
         .unwrap_or_else(|problems| panic!("{problems}\n{text}"))
 }
 
-/// A rotor with one of the hubs, controls and kinds of inflow, of random size, with sections that couple all
-/// motions, and cambered airfoils.
-fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
-    let mut about = |mean: f64, part: f64| mean * (1.0 + part * random.next());
-    let hub = [
-        "articulated",
-        "hingeless",
-        "teetering",
-        "gimballed",
-        "bearingless",
-    ][number % 5];
-    let blades = if hub == "teetering" { 2 } else { 3 };
-    let mut text = format!(
+const HUBS: [&str; 5] = [
+    "articulated",
+    "hingeless",
+    "teetering",
+    "gimballed",
+    "bearingless",
+];
+
+/// A number near a mean, by a part of it.
+type About<'a> = dyn FnMut(f64, f64) -> f64 + 'a;
+
+/// Sections that couple all motions, and cambered airfoils.
+fn sections(about: &mut About<'_>) -> String {
+    format!(
         "[airfoils.cambered]\nslope = {:?}\nzero_lift = {:?}\ndrag = 0.01\nmoment = {:?}\n\
          [properties.spar]\nea = 7e8\ngay = 2e8\ngaz = 1e8\ngj = {:?}\neiy = {:?}\neiz = 4e6\nm = 6\n\
          iy = 1e-3\niz = 1e-2\ntension_center = [{:?}, {:?}]\nshear_center = [{:?}, {:?}]\n\
@@ -45,13 +46,12 @@ fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
         about(-0.02, 1.0),
         about(-0.02, 1.0),
         about(0.02, 1.0),
-    );
-    text += &format!(
-        "[[rotor]]\nname = \"r\"\nhub = \"{hub}\"\nblades = {blades}\nspeed = 30\nazimuth = {:?}\n\
-         direction = \"DIRECTION\"\nmass = 50\ninertia = [2, 2, 4]\n",
-        about(0.0, 1.0) + 0.3
-    );
-    text += &match hub {
+    )
+}
+
+/// Hinges, dampers, tilt or flexbeams of a hub.
+fn parts(hub: &str, about: &mut About<'_>) -> String {
+    match hub {
         "articulated" => format!(
             "[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.2\nstop = {{ lower = 0.02, upper = 0.3, stiffness = 2e5 }}\n\
              [[rotor.hinge]]\nkind = \"lag\"\noffset = 0.3\n\
@@ -75,7 +75,11 @@ fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
         _ => "[rotor.flexbeam]\noffset = 0.1\nproperties = \"spar\"\npiece = [{ length = 0.3, elements = 1 }]\n\
               [rotor.torque_tube]\noffset = 0.15\n"
             .to_owned(),
-    };
+    }
+}
+
+/// Pitch of the blades by bearings, links or plates.
+fn controls(hub: &str, (number, cyclic): (usize, bool), about: &mut About<'_>) -> String {
     let cyclic = match cyclic {
         true => format!(
             "cosine = {:?}\nsine = {:?}\n",
@@ -84,7 +88,7 @@ fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
         ),
         false => String::new(),
     };
-    text += &format!(
+    let text = format!(
         "[rotor.swashplate]\ncollective = {:?}\n{cyclic}",
         about(0.1, 0.3)
     );
@@ -92,7 +96,7 @@ fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
         0 if ["teetering", "gimballed"].contains(&hub) => 1,
         control => control,
     };
-    text += &match control {
+    text + &match control {
         0 => String::new(),
         1 => format!(
             "[rotor.pitch_link]\nstiffness = 2e4\ndelta_3 = {:?}\n",
@@ -106,7 +110,22 @@ fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
                 "actuators = { radius = 0.2, base_radius = 0.15, base_below = 0.3 }\n"
             ][number / 15 % 2]
         ),
-    };
+    }
+}
+
+/// A rotor with one of the hubs, controls and kinds of inflow, of random size.
+fn rotor(random: &mut Random, number: usize, cyclic: bool) -> String {
+    let mut about = |mean: f64, part: f64| mean * (1.0 + part * random.next());
+    let hub = HUBS[number % HUBS.len()];
+    let blades = if hub == "teetering" { 2 } else { 3 };
+    let mut text = sections(&mut about);
+    text += &format!(
+        "[[rotor]]\nname = \"r\"\nhub = \"{hub}\"\nblades = {blades}\nspeed = 30\nazimuth = {:?}\n\
+         direction = \"DIRECTION\"\nmass = 50\ninertia = [2, 2, 4]\n",
+        about(0.0, 1.0) + 0.3
+    );
+    text += &parts(hub, &mut about);
+    text += &controls(hub, (number, cyclic), &mut about);
     text += [
         "",
         "[rotor.inflow]\nkind = \"Drees\"\n",

@@ -11,6 +11,7 @@ mod ground_resonance;
 mod names;
 mod problems;
 mod rotor;
+mod trimmed;
 
 /// The stability of a file in radians and SI units.
 fn attempt(cards: &str) -> StabilityResult {

@@ -273,6 +273,11 @@ impl Coordinates {
         for (index, slot) in self.slots.iter().enumerate() {
             self.slot_of[slot.first..slot.first + slot.size].fill(index);
         }
+        self.add_families(named);
+    }
+
+    /// Adds the families of the slots that all blades of a rotor have.
+    fn add_families(&mut self, named: Named) {
         for ((rotor, ..), members) in named.0 {
             let members: Option<Vec<_>> = members.into_iter().collect();
             let Some(members) = members else { continue };

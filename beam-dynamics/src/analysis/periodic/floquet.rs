@@ -110,6 +110,23 @@ fn error(pair: &Ritz, coarse: &Largest, period: f64) -> Option<f64> {
     Some(Complex::new(ratio.re, ratio.im).ln().norm() / period)
 }
 
+/// The branch of a principal frequency and the fundamental one that is nearest to one of the given frequencies, all
+/// in rad/s.
+fn near_branch(near: &[f64], (principal, base): (f64, f64)) -> Option<i32> {
+    let off = |m: i32, near: f64| ((principal + f64::from(m) * base).abs() - near).abs();
+    let nearest = |near: &f64| {
+        let [m, other] = [*near, -near].map(|own| ((own - principal) / base).round() as i32);
+        let [first, second] = [m, other].map(|m| off(m, *near));
+        if first <= second {
+            (m, first)
+        } else {
+            (other, second)
+        }
+    };
+    let found = near.iter().map(nearest);
+    found.min_by(|a, b| a.1.total_cmp(&b.1)).map(|own| own.0)
+}
+
 fn mode(
     (monodromy, pair): (&Monodromy<'_>, &Ritz),
     settings: &FloquetSettings,
@@ -121,22 +138,8 @@ fn mode(
     let content = observer.content(&motion, multiplier.im == 0.0 && multiplier.re > 0.0);
     let base = TAU / observer.period;
     let frequency = |m: i32| (principal.im + f64::from(m) * base).abs();
-    let nearest = |near: &f64| {
-        let m = ((near - principal.im) / base).round() as i32;
-        let other = ((-near - principal.im) / base).round() as i32;
-        if (frequency(m) - near).abs() <= (frequency(other) - near).abs() {
-            (m, (frequency(m) - near).abs())
-        } else {
-            (other, (frequency(other) - near).abs())
-        }
-    };
-    let by_near = settings
-        .near
-        .iter()
-        .map(nearest)
-        .min_by(|a, b| a.1.total_cmp(&b.1));
     let by_content = content.shares.first().map_or(0, |first| first.0);
-    let branch = by_near.map_or(by_content, |near| near.0);
+    let branch = near_branch(&settings.near, (principal.im, base)).unwrap_or(by_content);
     let chosen = content.shares.iter().find(|own| own.0 == branch);
     let others = content
         .shares

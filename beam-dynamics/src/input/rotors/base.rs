@@ -18,7 +18,6 @@ use shared_geom::rotation::vector;
 use shared_geom::units::Dimension;
 use std::f64::consts::TAU;
 
-use super::controls::Sum;
 use super::damper_law::DamperLaw;
 
 /// Units of plain numbers in expressions, in SI.
@@ -194,15 +193,6 @@ impl Base {
     pub fn turned(&self, rotation: &Vector3<f64>) -> Vector3<f64> {
         let side = self.side();
         Vector3::new(side * rotation.x, side * rotation.y, rotation.z)
-    }
-
-    /// A rotation across the shaft, or a height, over time.
-    pub fn signed(&self, sum: &Sum) -> Sum {
-        if self.mirror {
-            sum.negative()
-        } else {
-            sum.clone()
-        }
     }
 
     /// Azimuth of blade `k`, from zero \[rad\].

@@ -81,8 +81,7 @@ pub(super) fn read(table: &Table<'_>, context: &Context) -> Option<Rotor> {
     let shown = name.clone().unwrap_or_default();
     let placement = placement(table, &shown, context);
     let shaft = shaft_parts::read(table, &shown, context);
-    let body = body(table, &shown);
-    let blade = parts::blade(table);
+    let (body, blade) = (body(table, &shown), parts::blade(table));
     let inflow = parts::inflow(table, &shown);
     let (undersling, link) = (table.get(&keys::UNDERSLING), table.get(&keys::LINK));
     let cone = [blade.as_ref().map(|own| own.precone), undersling].map(Option::unwrap_or_default);

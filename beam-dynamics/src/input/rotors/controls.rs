@@ -202,8 +202,17 @@ impl Sum {
             .extend(control.map(|control| (control.clone(), factor)));
     }
 
+    /// A rotation across the shaft, or a height, of a rotor or of its mirror image, whose side is -1.
+    pub fn on_side(&self, side: f64) -> Self {
+        if side < 0.0 {
+            self.negative()
+        } else {
+            self.clone()
+        }
+    }
+
     /// The sum with the opposite sign.
-    pub fn negative(&self) -> Self {
+    fn negative(&self) -> Self {
         let terms = self.0.iter().map(|(control, factor)| {
             let factor = match factor {
                 Some(factor) => format!("(-1)*({factor})"),

@@ -172,7 +172,7 @@ impl Bearingless {
                     .with("in", arm.name.as_str())
                     .with(
                         "rotation",
-                        Content::table([("x", base.signed(command).content())]),
+                        Content::table([("x", command.on_side(base.side()).content())]),
                     ),
             ),
             Control::Bearing(link) | Control::Coupled(link) => {

@@ -203,7 +203,7 @@ fn prescribed(base: &Base, guide: Card, motion: &Motion) -> Card {
             Content::quantity(side * x, "rad"),
             Content::quantity(side * y, "rad"),
         ],
-        Motion::Linear(sums) => [0, 1, 2].map(|i| base.signed(&sums[i]).content()),
+        Motion::Linear(sums) => [0, 1, 2].map(|i| sums[i].on_side(side).content()),
     };
     guide
         .with("displacement", Content::table([("z", height)]))
