@@ -131,26 +131,36 @@ pub fn strength_text(rows: &[ReserveRow]) -> String {
             row.found.worst.mode.name(),
         );
     }
-    text + &of_cells(&stations)
+    text + &of_cells(rows, &stations)
 }
 
 /// Part by which the reserve factor of a point may be below the one of the mean stress of its cell
 /// without a remark.
 const VARIES: f64 = 0.1;
 
-/// The stations whose smallest reserve factor depends on the size of the cells, as text; empty if there
-/// are none.
-fn of_cells(stations: &[&ReserveRow]) -> String {
+/// Part by which the reserve factor of a ply may be above the smallest one of its station and still
+/// become the critical one with other cells.
+const NEAR_CRITICAL: f64 = 0.1;
+
+/// The plies of stations whose reserve factor depends on the size of the cells, of those near the smallest
+/// one of their station, as text; empty if there are none.
+fn of_cells(rows: &[ReserveRow], critical: &[&ReserveRow]) -> String {
     let factors = |row: &ReserveRow| (row.found.worst.reserve_factor, row.found.of_cell);
-    let varies = |row: &&&ReserveRow| {
-        let (point, cell) = factors(row);
-        point < (1.0 - VARIES) * cell
+    let least = |row: &ReserveRow| {
+        let mut stations = critical.iter();
+        let station = stations.find(|known| known.station == row.station);
+        station.map_or(f64::INFINITY, |known| factors(known).0)
     };
-    let station = |row: &&ReserveRow| {
+    let varies = |row: &&ReserveRow| {
         let (point, cell) = factors(row);
-        format!("{} ({point:.3}, {cell:.3})", row.station.label())
+        point <= (1.0 + NEAR_CRITICAL) * least(row) && point < (1.0 - VARIES) * cell
     };
-    let found: Vec<String> = stations.iter().filter(varies).map(station).collect();
+    let ply = |row: &ReserveRow| {
+        let (point, cell) = factors(row);
+        let station = row.station.label();
+        format!("{station} ply \"{}\" ({point:.3}, {cell:.3})", row.ply)
+    };
+    let found: Vec<String> = rows.iter().filter(varies).map(ply).collect();
     if found.is_empty() {
         return String::new();
     }

@@ -12,11 +12,13 @@
 //! can govern are left out, without effect on the result.
 
 use nalgebra::Vector6;
+use shared_geom::quadrature::PlanePoint;
 
 use super::criteria::{FailureIndex, convex_size, hashin_bound, worst_index};
 use super::force_tree::ForceTree;
 use super::unit::{UnitPoint, weights};
 use crate::material::MaterialLimits;
+use crate::mesh::{SectionCell, SectionMesh};
 use crate::section::Section;
 
 /// The governing point and force of a region.
@@ -36,8 +38,8 @@ pub struct RegionReserve {
     pub position: [f64; 2],
     /// Stress under this force in material axes, order 11 22 33 23 13 12 \[Pa\].
     pub stress: Vector6<f64>,
-    /// Reserve factor of the mean stress and strain of its cell under this force: an estimate of the
-    /// dependence on the size of the cells \[-\].
+    /// Reserve factor of the mean stress and strain over the area of its cell under this force: an
+    /// estimate of the dependence on the size of the cells \[-\].
     pub of_cell: f64,
 }
 
@@ -77,12 +79,31 @@ pub fn region_reserves(
     for region in &mut worst {
         let is_of_cell = |point: &&UnitPoint| section.mesh.cells[point.cell].tag == region.tag;
         let of_cell: Vec<UnitPoint> = points.iter().filter(is_of_cell).copied().collect();
-        let mean = UnitPoint::mean(&of_cell).map(|mean| mean.under(&forces[region.force]));
+        let cell = of_cell.first().map(|point| &section.mesh.cells[point.cell]);
+        let areas = cell.map_or_else(Vec::new, |cell| point_areas(&section.mesh, cell));
+        let mean = UnitPoint::mean(&of_cell, &areas);
+        let mean = mean.map(|mean| mean.under(&forces[region.force]));
         let found = mean.and_then(|mean| worst_index(&limits[region.material], &mean));
         region.of_cell = found.map_or(f64::INFINITY, |found| found.reserve_factor);
     }
     worst.sort_by_key(|region| region.group);
     worst
+}
+
+/// The area of each integration point of a cell \[m^2\].
+fn point_areas(mesh: &SectionMesh, cell: &SectionCell) -> Vec<f64> {
+    let of_point = |point: &PlanePoint| {
+        let shape = cell.kind.shape(point.r, point.s);
+        let mut slopes = [[0.0; 2]; 2];
+        for (n, position) in mesh.positions(cell).enumerate() {
+            for i in 0..2 {
+                slopes[i][0] += shape.dr[n] * position[i];
+                slopes[i][1] += shape.ds[n] * position[i];
+            }
+        }
+        point.weight * (slopes[0][0] * slopes[1][1] - slopes[0][1] * slopes[1][0])
+    };
+    cell.kind.rule().iter().map(of_point).collect()
 }
 
 /// The force with the smallest reserve factor at a point, if it is smaller than `known`, or any if
@@ -126,7 +147,6 @@ mod tests {
         DEFAULT_INTERACTION, DirectionalLimits, ElasticLaw, EngineeringConstants, Material,
         Strength,
     };
-    use crate::mesh::SectionMesh;
     use crate::mesh::generate::Rectangle;
     use crate::recovery::{LoadCase, Recoverer, region_failures};
     use crate::section::CellMaterial;
@@ -172,6 +192,44 @@ mod tests {
             strength: Some(strength),
             ..MaterialLimits::default()
         }]
+    }
+
+    /// On a trapezoid 2 wide, 1 and 3 high, the integration points have its area, 4, and its centroid,
+    /// `2/3 (1 + 2 * 3) / (1 + 3)` from the lower side.
+    #[test]
+    fn points_have_their_areas() {
+        let law = ElasticLaw::Isotropic {
+            young: 1.0,
+            poisson: 0.0,
+        };
+        let mut mesh = bar(law).mesh;
+        let ends = [f64::min, f64::max].map(|of| {
+            let all = mesh.nodes.iter().copied();
+            all.reduce(|a, b| [of(a[0], b[0]), of(a[1], b[1])]).unwrap()
+        });
+        let [low, high] = ends;
+        for [y, z] in &mut mesh.nodes {
+            let part = 2.0 * (*y - low[0]) / (high[0] - low[0]);
+            let height = 1.0 + part;
+            [*y, *z] = [part, height * (*z - low[1]) / (high[1] - low[1])];
+        }
+        let (mut area, mut moment) = (0.0, 0.0);
+        for cell in &mesh.cells {
+            let areas = point_areas(&mesh, cell);
+            for (point, of_point) in cell.kind.rule().iter().zip(areas) {
+                let shape = cell.kind.shape(point.r, point.s);
+                let nodes = mesh.positions(cell).enumerate();
+                let y: f64 = nodes.map(|(n, position)| shape.n[n] * position[0]).sum();
+                area += of_point;
+                moment += of_point * y;
+            }
+        }
+        assert!((area - 4.0).abs() < 1e-12, "{area}");
+        assert!(
+            (moment / area - 7.0 / 6.0).abs() < 1e-12,
+            "{}",
+            moment / area
+        );
     }
 
     /// Yielding under N: f A / N, for the largest of three forces.

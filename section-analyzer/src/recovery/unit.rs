@@ -49,11 +49,14 @@ impl UnitPoint {
         }
     }
 
-    /// The mean of several points; `None` without any.
-    pub(super) fn mean(points: &[Self]) -> Option<Self> {
-        let first = points.first()?;
+    /// The mean of several points with these weights; `None` without any.
+    pub(super) fn mean(points: &[Self], weights: &[f64]) -> Option<Self> {
+        let (first, all) = (points.first()?, weights.iter().sum::<f64>());
         let mean = |of: fn(&Self) -> Matrix6<f64>| {
-            points.iter().map(of).sum::<Matrix6<f64>>() / points.len() as f64
+            let parts = points.iter().zip(weights);
+            parts
+                .map(|(point, weight)| of(point) * (weight / all))
+                .sum::<Matrix6<f64>>()
         };
         Some(Self {
             strain: mean(|point| point.strain),

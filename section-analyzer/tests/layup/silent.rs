@@ -137,7 +137,7 @@ fn layup_files_say_what_they_mean() {
             "name = \"cap\"\n",
             &[
                 "a.layup.toml:12: \"cap\" has no \"material\"",
-                "add material = ",
+                "expected the name of a table [material.NAME]",
             ],
         ),
     ];

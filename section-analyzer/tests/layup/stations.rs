@@ -68,9 +68,9 @@ fn differences(layup: &Layup, station: &Value, sources: [&str; 2]) -> [[f64; 5];
     })
 }
 
-/// Areas of the layers are within 0.5 % at 69 of the 76 stations. At five more one or two layers
-/// are up to 2.2 % off: inner skins and layers of the trailing edge that contacts cut between two
-/// stations. The tip of IEA-10 is refused by the name of a layer: walls of 14 mm in a nose of 8 mm.
+/// Areas of the layers are within 0.5 % at 74 of the 76 stations. At IEA-15 0.4 a layer of the trailing
+/// edge has 0.62 % less: a contact cuts it between two stations of the mesh. The tip of IEA-10 is refused
+/// by the name of a layer: walls of 14 mm in a nose of 2 mm.
 #[test]
 fn all_stations_of_public_blades_are_meshed() {
     let mut counts = [0, 0, 0];
@@ -87,13 +87,13 @@ fn all_stations_of_public_blades_are_meshed() {
                 }
                 Ok((layer, error)) => {
                     println!("{name} {eta}: {layer} {:.3} %", 100.0 * error);
-                    assert!(error.abs() < 0.025, "{name} {eta}: {layer} {error}");
+                    assert!(error.abs() < 7e-3, "{name} {eta}: {layer} {error}");
                     counts[usize::from(error.abs() > 5e-3)] += 1;
                 }
             }
         }
     }
-    assert!(counts[0] >= 69 && counts[2] == 1, "{counts:?}");
+    assert!(counts[0] >= 74 && counts[2] == 1, "{counts:?}");
 }
 
 /// At 101 positions of IEA-15 and IEA-3.4, areas of layers of more than 1 % of the section, without the part

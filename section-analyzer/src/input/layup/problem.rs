@@ -193,7 +193,7 @@ pub enum LayupFileProblem {
     #[error("expected \"eta\" and \"value\", \"span\" and \"value\", or \"file\" and \"column\"")]
     Positions,
     /// A layer, ply or fill without a key that it needs.
-    #[error("\"{layer}\" has no \"{key}\"")]
+    #[error("\"{layer}\" has no \"{key}\", expected the name of a table [{key}.NAME]")]
     Lacks {
         /// Its name.
         layer: String,
@@ -288,9 +288,6 @@ impl Explain for LayupFileProblem {
                  along the contour"
                     .into(),
             ),
-            Self::Lacks { key, .. } => Some(format!(
-                "add {key} = \"NAME\", the name of a table [material.NAME] of the file"
-            )),
             Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())

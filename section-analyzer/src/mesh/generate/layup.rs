@@ -22,6 +22,7 @@ mod build;
 mod butt;
 pub(super) mod cells;
 mod column;
+mod failures;
 mod feet;
 mod fill;
 mod front;
@@ -53,8 +54,10 @@ pub use types::{
 use remedies::Remedies;
 use wall::Wall;
 
-/// Largest number of attempts to mesh a section.
+/// Largest number of attempts to mesh a section with cells of a size.
 const ATTEMPTS: usize = 12;
+/// Factors of the size of all cells, if nothing else helps.
+const PARTS: [f64; 2] = [1.0, 0.5];
 /// Number of cells around a contour if no size is given.
 pub const AROUND: f64 = 120.0;
 
@@ -75,19 +78,35 @@ impl LayupSection {
         if size.is_nan() || size <= least {
             return Err(LayupProblem::Size { size, least });
         }
-        let mut remedies = Remedies::default();
         let mut first = None;
+        for part in PARTS {
+            if let Some(made) = self.meshed(&outline, part * size, &mut first)? {
+                return Ok(made);
+            }
+        }
+        Err(first.unwrap_or(LayupProblem::NoLayers))
+    }
+
+    /// The mesh with cells of a size; `None` if cells fail with all remedies: `first` is the first
+    /// problem of cells.
+    fn meshed(
+        &self,
+        outline: &Outline,
+        size: f64,
+        first: &mut Option<LayupProblem>,
+    ) -> Result<Option<MeshedLayup>, LayupProblem> {
+        let mut remedies = Remedies::default();
         for _ in 0..ATTEMPTS {
-            let wall = match Wall::new(self, &outline, size, &remedies) {
+            let wall = match Wall::new(self, outline, size, &remedies) {
                 Ok(wall) => wall,
-                Err(problem) => return Err(first.unwrap_or(problem)),
+                Err(problem) => return Err(first.take().unwrap_or(problem)),
             };
             let failed = match build::mesh(self, &wall) {
                 Ok(mesh) => match sound(&mesh) {
                     Ok(()) => {
                         let areas = area::areas(self, &wall, &mesh);
                         area::check(&areas[..areas.len() - self.fills.len()])?;
-                        return Ok(MeshedLayup { mesh, areas });
+                        return Ok(Some(MeshedLayup { mesh, areas }));
                     }
                     Err(failed) => failed,
                 },
@@ -96,13 +115,17 @@ impl LayupSection {
                     Failed { problem, positions }
                 }
             };
-            let is_left = failed.problem.is_of_cells() && remedies.add(&wall, &failed.positions);
+            let is_of_cells = failed.problem.is_of_cells();
+            let is_left = is_of_cells && failures::add(&mut remedies, &wall, &failed.positions);
             let problem = first.get_or_insert_with(|| with_space(failed.problem, wall.tight));
-            if !is_left {
+            if !is_of_cells {
                 return Err(problem.clone());
             }
+            if !is_left {
+                return Ok(None);
+            }
         }
-        Err(first.unwrap_or(LayupProblem::NoLayers))
+        Ok(None)
     }
 }
 

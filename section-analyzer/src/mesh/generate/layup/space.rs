@@ -61,7 +61,7 @@ impl Wall {
     }
 
     /// The place ahead where the layers fill most of the space, if they have too little: layers that
-    /// are thicker than the inscribed circle, or those of both sides that meet.
+    /// are thicker than the inscribed circle, or layers of both sides that meet.
     pub fn tight_space(&self) -> Option<LayupProblem> {
         let (outline, points) = (&self.outline, self.samples());
         let is_checked = |s: f64| {
