@@ -380,7 +380,9 @@ pub(super) fn fits(state: &State, model: &Model) -> bool {
 pub(super) fn unread(problems: Diagnostics) -> [String; 2] {
     let remedy =
         "choose values of the parameters for which the file is sound, or bounds of controls";
-    [problems.to_string(), remedy.to_owned()]
+    let text = problems.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text);
+    [text.to_owned(), remedy.to_owned()]
 }
 
 fn range(control: &TrimControl) -> Range {

@@ -297,6 +297,17 @@ fn has_many_corners(drive: &Drive, [from, to]: [f64; 2]) -> bool {
     true
 }
 
+/// Whether a name without an expression is a parameter, which is noted.
+fn is_parameter(name: &str, item: &Item<'_>) -> bool {
+    let parameters = item.document().parameters();
+    let is_one = parameters.iter().any(|own| own.0 == name);
+    if is_one {
+        let (name, key) = (name.to_owned(), item.key().to_owned());
+        item.note(&DriveProblem::Parameter { name, key });
+    }
+    is_one
+}
+
 fn unknown(name: &str, user: &str, known: Vec<String>) -> InputProblem {
     InputProblem::UnknownName {
         kind: "drive",
@@ -333,7 +344,7 @@ impl Catalog {
             item.note(&DriveProblem::OfInput { user, name });
             return None;
         }
-        if found.is_none() {
+        if found.is_none() && !is_parameter(name, item) {
             item.note(&unknown(name, &user, self.named.keys().cloned().collect()));
         }
         found?.clone()

@@ -175,6 +175,16 @@ pub enum DriveProblem {
         /// The previous time.
         before: f64,
     },
+    /// The name of a parameter without an expression.
+    #[error(
+        "\"{name}\" under \"{key}\" is a parameter, expected an expression, or the name of a drive"
+    )]
+    Parameter {
+        /// The name.
+        name: String,
+        /// The key.
+        key: String,
+    },
     /// A column that the file does not have.
     #[error("no column \"{name}\"")]
     NoColumn {
@@ -226,6 +236,7 @@ impl Explain for DriveProblem {
                     None => format!("columns: {}", known.join(", ")),
                 });
             }
+            Self::Parameter { name, .. } => return Some(format!("write \"= {name}\"")),
             Self::Extrapolation { .. } => {
                 "give more values, or outside = \"hold\" to continue with the first and the last"
             }

@@ -156,6 +156,9 @@ fn find(
             if readable.is_empty() || !is_name(name) || catalog.has(name) {
                 return drive();
             }
+            if super::is_parameter(name, item) {
+                return None;
+            }
             let known = readable.keys().cloned().chain(catalog.names());
             item.note(&InputProblem::UnknownName {
                 kind: "signal",

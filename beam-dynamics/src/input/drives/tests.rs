@@ -157,6 +157,16 @@ fn a_run_that_leaves_a_table_is_reported_before() {
 }
 
 #[test]
+fn a_parameter_is_read_by_an_expression() {
+    let text = "units = \"SI\"\ndrive = \"push\"\n[parameters]\npush = 3\n";
+    assert_eq!(
+        found(text, Dimension::FORCE).unwrap_err(),
+        "error: a.toml:2: \"push\" under \"drive\" is a parameter, expected an expression, or the name of a \
+         drive\n  help: write \"= push\""
+    );
+}
+
+#[test]
 fn what_is_wrong_is_reported_with_its_line_and_the_nearest_name() {
     let text = "units = \"SI\"
 drive = \"swin\"
