@@ -12,42 +12,52 @@ use crate::case::{
     RotorSpeedLaw, linear_between,
 };
 use crate::result::{PerformancePoint, PerformanceResult, PerformanceTable, PointStatus};
+use limits::Reached;
+
+mod limits;
 
 /// Relative difference up to which a point is at a chosen value of the abscissa [-].
 const SAME: f64 = 1e-6;
 
 /// Computes every point of a case.
 pub fn performance(case: &PerformanceCase) -> PerformanceResult {
+    let tables = case.parts.iter().map(|part| table(case, part));
+    let (tables, reached): (Vec<_>, Vec<_>) = tables.unzip();
+    let beyond = limits::remarks(&reached.concat());
     PerformanceResult {
         name: case.name.clone(),
         machine: case.machine,
         blades: case.rotor.blades,
         disk_radius: case.rotor.disk_radius(),
         density: case.air.density,
-        tables: case.parts.iter().map(|part| table(case, part)).collect(),
-        remarks: case.remarks.clone(),
+        tables,
+        remarks: case.remarks.iter().cloned().chain(beyond).collect(),
     }
 }
 
-fn table(case: &PerformanceCase, part: &PerformancePart) -> PerformanceTable {
+/// The points of a part, and the Mach and Reynolds numbers that they reach.
+fn table(case: &PerformanceCase, part: &PerformancePart) -> (PerformanceTable, Vec<Reached>) {
     let points = (0..part.request.count()).into_par_iter();
     let points = points.filter_map(|index| {
         let mut point = point(case, &part.request, index)?;
+        let reached = Reached::of(&case.rotor, &point.performance);
         let radius = point.performance.disk_radius;
         let at = part.abscissa.of(&point.setting(), radius);
         let is_at = |chosen: &f64| (at - chosen).abs() <= SAME * chosen.abs().max(1.0);
         if !part.loads_at.iter().any(is_at) {
             point.performance.sectors = Vec::new();
         }
-        Some(point)
+        Some((point, reached))
     });
-    PerformanceTable {
+    let (points, reached) = points.unzip();
+    let table = PerformanceTable {
         name: part.name.clone(),
         abscissa: part.abscissa,
         curves: part.curves.clone(),
         is_map: part.is_map,
-        points: points.collect(),
-    }
+        points,
+    };
+    (table, reached)
 }
 
 /// The point number `index`, from zero.

@@ -10,6 +10,7 @@ use rotor_aero::rotor::OperatingPoint;
 use crate::Folder;
 
 mod blade_files;
+mod limits;
 mod same_rotor;
 #[path = "../../../rotor-aero/tests/support/mod.rs"]
 mod support;

@@ -28,6 +28,7 @@ pub struct Airfoil {
     name: String,
     thickness: Option<f64>,
     mach_range: Option<[f64; 2]>,
+    reynolds_range: Option<[f64; 2]>,
     flap_range: Option<[f64; 2]>,
     law: Law,
     remarks: Vec<AirfoilRemark>,
@@ -82,6 +83,7 @@ impl Airfoil {
             name: data.name.clone(),
             thickness: data.thickness,
             mach_range: range(data, |curve| curve.mach),
+            reynolds_range: range(data, |curve| curve.reynolds),
             flap_range: range(data, |curve| curve.flap),
             law: Law::Table(Box::new(tables)),
             remarks: checked.remarks,
@@ -105,6 +107,7 @@ impl Airfoil {
             name: name.to_owned(),
             thickness: Some(0.0),
             mach_range: None,
+            reynolds_range: None,
             flap_range: None,
             law,
             remarks: Vec::new(),
@@ -184,6 +187,12 @@ impl Airfoil {
     /// single one \[-\].
     pub fn mach_range(&self) -> Option<[f64; 2]> {
         self.mach_range
+    }
+
+    /// Least and largest Reynolds number of the table; absent if it does not depend on it, or has a
+    /// single one \[-\].
+    pub fn reynolds_range(&self) -> Option<[f64; 2]> {
+        self.reynolds_range
     }
 
     /// Least and largest deflection of the flap in the table; absent if it does not depend on it,
