@@ -179,6 +179,7 @@ impl Model {
                 constant,
                 proportional,
                 released: 0.0,
+                resting: 0.0,
                 time: 0.0,
                 turns: 1.0,
                 voltages: 1.0,

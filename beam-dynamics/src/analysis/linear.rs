@@ -156,7 +156,7 @@ fn trimmed(input: &Input, read: Reader<'_>) -> Result<LinearModel, LinearFailure
     let settings = end.input.linear.as_ref();
     let mut conditions = model.conditions(own.speed, 1.0, 1.0);
     // In small motions the controls are constant.
-    conditions.loading.released = 1.0;
+    conditions.loading.start();
     of(&Operation {
         model,
         settings: settings.ok_or(LinearFailure::NotRequested)?,

@@ -6,5 +6,5 @@ mod rotors;
 mod support;
 
 pub(super) use coordinates::{Coordinates, Factors, Slot, SlotKind};
-pub(super) use names::{Named, Names, pattern};
+pub(super) use names::{Named, Names, SIX, pattern};
 pub(super) use rotors::{FEW, NoCoordinates};

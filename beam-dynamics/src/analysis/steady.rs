@@ -97,6 +97,7 @@ fn between(from: &Conditions, to: &Conditions, part: f64) -> Conditions {
             constant: mix(a.constant, b.constant),
             proportional: mix(a.proportional, b.proportional),
             released: mix(a.released, b.released),
+            resting: b.resting,
             time: to.loading.time,
             turns: to.loading.turns,
             voltages: mix(a.voltages, b.voltages),
@@ -152,14 +153,13 @@ fn with_begun_annuli(model: &Model, solver: &LinearSolver, mut known: Equilibriu
         let change: Vec<f64> = pairs.map(|(one, other)| one - other).collect();
         scales.largest(&change, |i| one.scalars[i].abs()).part
     };
+    let start = Balance::new(system, solver, known.conditions, known.state.clone());
     for _ in 0..MOST_BEGUN {
-        let mut begun = known.state.clone();
-        system.begin_scalars(&mut begun, &known.conditions);
+        let begun = begun(&start, &known.conditions, &known.state);
         if apart(&begun, &known.state) < NEAR {
             break;
         }
-        let mut balance = Balance::new(system, solver, known.conditions, begun);
-        let report = solve(&mut balance, &Newton::default());
+        let (balance, report) = solved(&start, known.conditions, begun);
         known.iterations += report.history.len();
         let is_other = apart(&balance.state, &known.state) > SAME;
         if report.status != NewtonStatus::Converged || !is_other {
@@ -231,8 +231,7 @@ fn spun_up(
     to: &Conditions,
 ) -> Result<Equilibrium, Box<NoEquilibrium>> {
     let mut turning = Conditions::turning(to.frame);
-    // Not zero: states of controls are at rest on the way, too.
-    turning.loading.released = f64::EPSILON * to.loading.released;
+    turning.loading.resting = to.loading.resting;
     let first = advance(rest, nothing, &turning)?;
     if turning == *to {
         return Ok(first);
@@ -269,11 +268,10 @@ fn advance(
         // Where air sets in, all annuli begin at the same of several steady states that stall may have.
         let sets_in = reached == 0.0 && from.loading.air == 0.0;
         let begun = || from_begun_scalars(start, between(from, to, next), &state);
-        let (mut balance, mut report) = sets_in.then(begun).flatten().unwrap_or_else(|| {
-            let mut balance = start.at(between(from, to, next), state.clone());
-            let report = solve(&mut balance, &Newton::default());
-            (balance, report)
-        });
+        let (mut balance, mut report) = sets_in
+            .then(begun)
+            .flatten()
+            .unwrap_or_else(|| solved(start, between(from, to, next), state.clone()));
         iterations += report.history.len();
         let quick = report.history.len() <= QUICK;
         if report.status != NewtonStatus::Converged && reached == 0.0 && from != to {
@@ -320,14 +318,30 @@ fn from_begun_scalars<'a>(
     conditions: Conditions,
     state: &State,
 ) -> Option<(Balance<'a>, NewtonReport)> {
-    let mut begun = state.clone();
-    start.system.begin_scalars(&mut begun, &conditions);
+    let begun = begun(start, &conditions, state);
     if begun == *state {
         return None;
     }
-    let mut balance = start.at(conditions, begun);
+    let found = solved(start, conditions, begun);
+    (found.1.status == NewtonStatus::Converged).then_some(found)
+}
+
+/// A state with the scalars at which it begins.
+fn begun(start: &Balance<'_>, conditions: &Conditions, state: &State) -> State {
+    let mut begun = state.clone();
+    start.system.begin_scalars(&mut begun, conditions);
+    begun
+}
+
+/// Newton's method from a state.
+fn solved<'a>(
+    start: &Balance<'a>,
+    conditions: Conditions,
+    state: State,
+) -> (Balance<'a>, NewtonReport) {
+    let mut balance = start.at(conditions, state);
     let report = solve(&mut balance, &Newton::default());
-    (report.status == NewtonStatus::Converged).then_some((balance, report))
+    (balance, report)
 }
 
 /// Whether Newton's method diverges at once even for the shortest step.

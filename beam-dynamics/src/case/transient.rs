@@ -149,6 +149,7 @@ impl Model {
                 constant: 1.0,
                 proportional: 1.0,
                 released: 0.0,
+                resting: 0.0,
                 time,
                 turns: 1.0,
                 voltages: 1.0,

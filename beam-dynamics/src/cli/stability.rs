@@ -55,7 +55,7 @@ fn stability_of(
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let progress = Progress::of_search(None);
+    let progress = Progress::of_search(terminal.part());
     let parameter = &settings.sweep.parameter;
     let read = |given: &[(String, f64)]| {
         if let Some((_, at)) = given.iter().find(|own| own.0 == *parameter) {

@@ -171,6 +171,7 @@ fn check_states(
                 constant: random.number(),
                 proportional: random.number(),
                 released: random.number(),
+                resting: random.number(),
                 time: random.number(),
                 turns: 1.0,
                 voltages: 1.0,

@@ -4,7 +4,7 @@
 use nalgebra::Matrix6;
 use shared_geom::document::schema::ValueKind::{NotNegative, Rows, Table as OneTable, Vector};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Table};
+use shared_geom::document::{ByHand, Key, Table};
 use shared_geom::keys;
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
@@ -73,14 +73,37 @@ pub(super) enum OfFile {
 
 /// The damping of a blade from a file, as [`read`].
 pub(super) fn read_of_file(table: &Table<'_>) -> Option<Option<OfFile>> {
-    let is_times = table.is_table(&KEY_OF_FILE)
-        && table
-            .table(&KEY_OF_FILE)
-            .is_some_and(|inner| inner.has(&TIMES));
-    if !is_times {
-        return read(table).map(|damping| damping.map(|own| OfFile::Section(Box::new(own))));
+    let Some(inner) = opened(table, &KEY_OF_FILE)? else {
+        return Some(None);
+    };
+    if inner.has(&TIMES) {
+        return times(table, &inner).map(|times| Some(OfFile::Times(times)));
     }
-    let inner = table.table(&KEY_OF_FILE)?;
+    of_section(table, &inner).map(|own| Some(OfFile::Section(Box::new(own))))
+}
+
+/// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
+/// none.
+pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
+    let Some(inner) = opened(table, &KEY)? else {
+        return Some(None);
+    };
+    of_section(table, &inner).map(Some)
+}
+
+/// The table of the damping; `None` if it is no table, `Some(None)` if there is none.
+fn opened<'a>(table: &'a Table<'_>, key: &Key<ByHand>) -> Option<Option<Table<'a>>> {
+    if !table.has(key) {
+        return Some(None);
+    }
+    if !table.is_table(key) {
+        table.wrong(key, "{ time = ... } or { matrix = ... }");
+        return None;
+    }
+    table.table(key).map(Some)
+}
+
+fn times(table: &Table<'_>, inner: &Table<'_>) -> Option<[f64; 6]> {
     let times = inner.get(&TIMES);
     if inner.has(&TIME) || inner.has(&MATRIX) {
         table.note(&KEY_OF_FILE, &InputProblem::OneDamping);
@@ -92,30 +115,20 @@ pub(super) fn read_of_file(table: &Table<'_>) -> Option<Option<OfFile>> {
         inner.wrong(&TIMES, "six times, zero or more");
         return None;
     }
-    Some(Some(OfFile::Times(times)))
+    Some(times)
 }
 
-/// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
-/// none.
-pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
-    if !table.has(&KEY) {
-        return Some(None);
-    }
-    if !table.is_table(&KEY) {
-        table.wrong(&KEY, "{ time = ... } or { matrix = ... }");
-        return None;
-    }
-    let inner = table.table(&KEY)?;
+fn of_section(table: &Table<'_>, inner: &Table<'_>) -> Option<Damping> {
     let damping = match [inner.has(&TIME), inner.has(&MATRIX)] {
         [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),
-        [false, true] => matrix(&inner).map(Damping::Viscous),
+        [false, true] => matrix(inner).map(Damping::Viscous),
         _ => {
             table.note(&KEY, &InputProblem::OneDamping);
             None
         }
     };
     inner.finish();
-    damping.map(Some)
+    damping
 }
 
 /// The 6x6 matrix in SI units: N s for forces and shears, N m^2 s for moments and

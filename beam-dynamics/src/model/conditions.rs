@@ -15,6 +15,9 @@ pub struct Loading {
     pub proportional: f64,
     /// Factor of the loads of the start alone: one in its equilibrium, else zero [-].
     pub released: f64,
+    /// Part of the rest of states of controls: one in the equilibrium of a start and on the whole way to it,
+    /// else zero [-].
+    pub resting: f64,
     /// Time; statics and modes are at time zero [s].
     pub time: f64,
     /// Part of the prescribed rotations that is applied: one, except while positions are
@@ -28,6 +31,11 @@ pub struct Loading {
 }
 
 impl Loading {
+    /// In the equilibrium of a start: its loads act, and states of controls rest.
+    pub fn start(&mut self) {
+        (self.released, self.resting) = (1.0, 1.0);
+    }
+
     /// No load, no gravity, no air.
     pub fn none() -> Self {
         Self {
@@ -35,6 +43,7 @@ impl Loading {
             constant: 0.0,
             proportional: 0.0,
             released: 0.0,
+            resting: 0.0,
             time: 0.0,
             turns: 1.0,
             voltages: 1.0,

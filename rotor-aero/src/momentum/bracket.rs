@@ -42,6 +42,10 @@ pub fn root(
     Some(state.best.0)
 }
 
+/// Intervals of the first search of a state of a ring, in a quarter of a turn. One number for all forms of the
+/// balance, so that among several states in stall a turbine and its image in the mirror have the same one.
+pub(crate) const FIRST: usize = 40;
+
 /// The first root that is accepted, searched in each bracket from its start, by a number of equal
 /// intervals; by the next number if none is found. `accepted` gives the result of a root, none for a
 /// pole.

@@ -14,12 +14,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::Annulus;
-use crate::momentum::bracket::{first_root, opposite, root};
+use crate::momentum::bracket::{FIRST, first_root, opposite, root};
 use crate::momentum::loss::{LOSS_FLOOR, loss};
 use crate::momentum::velocity::{Ambient, mass_flow};
 
 /// Intervals of the search in a quarter of a turn: the second number if the first finds nothing.
-const INTERVALS: [usize; 2] = [40, 400];
+const INTERVALS: [usize; 2] = [FIRST, 400];
 
 /// Smallest sine of the angle from the shaft: the flow is not along it.
 const EDGE: f64 = 1e-6;

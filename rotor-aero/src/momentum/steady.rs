@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::airfoil::Coefficients;
 use crate::momentum::annulus::{Annulus, SectionFlow};
-use crate::momentum::bracket::first_root;
+use crate::momentum::bracket::{FIRST, first_root};
 use crate::momentum::descent;
 use crate::momentum::loss::loss;
 
@@ -32,10 +32,7 @@ const LEAST_AXIAL: f64 = 1e-3;
 const LEAST_IN_PLANE: f64 = 1e-6;
 
 /// Intervals of the search in a quadrant: the second number if the first finds nothing.
-///
-/// The first one is the same as in descent, so that among several states in stall a turbine and its image in
-/// the mirror have the same one.
-const INTERVALS: [usize; 2] = [40, 200];
+const INTERVALS: [usize; 2] = [FIRST, 200];
 
 /// Outcome of a steady state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -170,8 +170,7 @@ impl Coordinates {
         let turned = self.turned(state);
         for (rotor, turned) in self.rotors.iter_mut().zip(turned) {
             let axis = turned * rotor.axis;
-            let blades = rotor.first..rotor.first + rotor.count;
-            let speeds = self.roots[blades]
+            let speeds = self.roots[rotor.blades()]
                 .iter()
                 .map(|node| state.nodes[*node].angular_velocity.dot(&axis));
             let mean = speeds.sum::<f64>() / rotor.count as f64;
@@ -308,29 +307,18 @@ impl Coordinates {
             })
         };
         let harmonics = self.azimuths.iter().enumerate().map(|(k, azimuth)| {
-            let RotorBlades {
-                first,
-                count: n,
-                speed,
-                ..
-            } = *self.rotor_of(k);
-            let psi = azimuth + speed * time;
+            let rotor = self.rotor_of(k);
+            let psi = azimuth + rotor.speed * time;
             let mut factors = vec![[1.0, 0.0]];
-            for order in 1..=(n - 1) / 2 {
+            for order in 1..=rotor.waves() {
                 let order = order as f64;
                 let (sin, cos) = (order * psi).sin_cos();
-                let rate = order * speed;
+                let rate = order * rotor.speed;
                 factors.extend([[cos, -rate * sin], [sin, rate * cos]]);
             }
-            if n.is_multiple_of(2) {
-                factors.push([
-                    if (k - first).is_multiple_of(2) {
-                        1.0
-                    } else {
-                        -1.0
-                    },
-                    0.0,
-                ]);
+            if rotor.count.is_multiple_of(2) {
+                let is_even = (k - rotor.first).is_multiple_of(2);
+                factors.push([if is_even { 1.0 } else { -1.0 }, 0.0]);
             }
             factors
         });

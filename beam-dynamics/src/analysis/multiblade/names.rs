@@ -28,7 +28,7 @@ const OSCILLATES: f64 = 0.2;
 /// Least part of the energy of the blades with which one of several rotors names a mode.
 const MOST: f64 = 0.6;
 /// Unknowns of motion of a node.
-const SIX: usize = 6;
+pub(in crate::analysis) const SIX: usize = 6;
 
 /// The name of a mode.
 #[derive(Debug, Clone)]

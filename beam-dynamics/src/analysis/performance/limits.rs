@@ -4,6 +4,7 @@
 use rotor_aero::airfoil::Section;
 use rotor_aero::rotor::{Performance, RigidRotor};
 
+use crate::analysis::steady::rpm;
 use crate::input::short_number;
 
 /// Part of the radius at which the Reynolds number counts \[-\].
@@ -88,12 +89,12 @@ fn supersonic(all: &[Reached]) -> Option<String> {
     let fast = || all.iter().filter(|point| point.mach > 1.0);
     let fastest = fast().max_by(|a, b| a.mach.total_cmp(&b.mach))?;
     Some(format!(
-        "at {} of {} points sections move faster than sound, up to a Mach number of {} at {} rpm, for which \
+        "at {} of {} points sections move faster than sound, up to a Mach number of {} at {}, for which \
          no airfoil here is meant: are radii and speeds in the units of the file?",
         fast().count(),
         all.len(),
         short_number(fastest.mach, 3),
-        short_number(fastest.omega * 30.0 / std::f64::consts::PI, 5)
+        rpm(fastest.omega)
     ))
 }
 

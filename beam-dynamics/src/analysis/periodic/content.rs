@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, Matrix3, Vector3};
 use shared_geom::rotation::vector;
 
-use crate::analysis::multiblade::{Coordinates, Named, Names, SlotKind};
+use crate::analysis::multiblade::{Coordinates, Named, Names, SIX, SlotKind};
 use crate::case::{Model, Words};
 use crate::model::{MOTION_WORDS, NODE_UNKNOWNS, State};
 use crate::modes::{MassMatrix, ModeMotion};
@@ -32,8 +32,6 @@ type Entries = ((usize, i32), Vec<Complex<f64>>);
 
 /// Harmonics on each side of the principal branch that are examined.
 const MOST: i32 = 24;
-/// Unknowns of motion of a node.
-const SIX: usize = 6;
 
 /// Energies of the harmonics of a mode.
 pub(super) struct Content {

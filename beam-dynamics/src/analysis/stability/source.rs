@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Complex;
 use shared_geom::error::Diagnostics;
 
 use crate::analysis::averaged::{AveragedMode, averaged_modes, possible};
@@ -254,11 +255,7 @@ impl<'a> Source<'a> {
         roots.retain(|root| {
             let size = root.multiplier.map_or(0.0, |own| own.norm());
             let is_shown = self.settings.count.is_some() || sum < LEAST || size > SHOWN;
-            sum += if root.multiplier.is_some_and(|own| own.im != 0.0) {
-                2
-            } else {
-                1
-            };
+            sum += root.multiplier.map_or(1, roots_of);
             is_shown
         });
         roots
@@ -287,13 +284,18 @@ fn analyze_period(
 
 /// Whether no multiplier above the shown size is missing in a table of `count`.
 fn shows_all(table: &FloquetTable, count: usize) -> bool {
-    let found: usize = table.modes.iter().map(roots_of).sum();
+    let found: usize = table
+        .modes
+        .iter()
+        .map(|mode| roots_of(mode.multiplier))
+        .sum();
     let smallest = table.modes.iter().map(|mode| mode.multiplier.norm());
     found < count || smallest.fold(f64::INFINITY, f64::min) < SHOWN
 }
 
-fn roots_of(mode: &FloquetMode) -> usize {
-    if mode.multiplier.im == 0.0 { 1 } else { 2 }
+/// Roots of a multiplier, with its conjugate.
+fn roots_of(multiplier: Complex<f64>) -> usize {
+    if multiplier.im == 0.0 { 1 } else { 2 }
 }
 
 fn nothing(reason: &str) -> Failed {

@@ -191,7 +191,7 @@ fn given(
 /// Conditions of the equilibrium in axes that turn with the model at `speed` \[rad/s\].
 fn turning(model: &Model, conditions: &Conditions, speed: f64) -> Conditions {
     let mut turning = *conditions;
-    turning.loading.released = 1.0;
+    turning.loading.start();
     turning.frame = TurningFrame {
         angular_velocity: speed * model.frame_rotation.axis,
         center: model.frame_rotation.center,

@@ -126,7 +126,7 @@ fn from_guesses(
     (solver, full): (&LinearSolver, &Conditions),
 ) -> Result<Equilibrium, NotBalanced> {
     let mut guesses = *full;
-    guesses.loading.released = 1.0;
+    guesses.loading.start();
     let determined = |found: Equilibrium| {
         let balance = Balance::new(&model.system, solver, guesses, found.state.clone());
         match undetermined(model, settings, &balance) {

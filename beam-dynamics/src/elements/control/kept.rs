@@ -103,7 +103,7 @@ impl Element for Kept {
         out: &mut LocalResidual,
         jacobian: Option<&mut LocalJacobian>,
     ) {
-        let resting = f64::from(at.loading.released != 0.0);
+        let resting = at.loading.resting;
         let weight = self.wave.map_or(1.0, |wave| wave.at(at.loading.time));
         let share = (resting - 1.0) * weight;
         out.add_scalar(0, at.scalars.rates[0]);

@@ -67,7 +67,7 @@ impl Source<'_> {
         let (input, _) = self.trimmed(at, trim)?;
         let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
         // In small motions the controls are constant.
-        conditions.loading.released = 1.0;
+        conditions.loading.start();
         let known = self.known.iter().find(|known| known.at == at);
         let state = known.map(|known| known.state.clone());
         let steady = state.map(|state| Equilibrium {
