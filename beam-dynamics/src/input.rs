@@ -71,6 +71,7 @@ mod periodic;
 mod problem;
 mod properties;
 mod readings;
+mod repeats;
 mod rods;
 mod rotating_start;
 mod rotor_speed;
@@ -115,7 +116,8 @@ pub use performance::{
 pub use periodic::PeriodicProblem;
 pub use problem::InputProblem;
 pub use readings::ReadingProblem;
-pub use rotors::RotorProblem;
+pub use repeats::NotRepeated;
+pub use rotors::{RotorProblem, RotorRunProblem};
 pub use stability::StabilityProblem;
 pub use strips::InflowProblem;
 pub use summary::Summary;

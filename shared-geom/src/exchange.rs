@@ -97,13 +97,15 @@ pub struct Writing {
 }
 
 /// Settings of a reader that the file does not contain.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
     /// Length of a uniform blade, for files of sections without a line: straight, or with the curvature of its section file [m].
     pub length: Option<f64>,
     /// Whether stations without shear stiffness become rigid in shear, which is remarked: see
     /// [`Blade::make_shear_rigid`].
     pub rigid_shear: bool,
+    /// Name of the body in a file with several, in place of the blade: a `main_body` of an htc file.
+    pub body: Option<String>,
 }
 
 /// A file format of blades.
@@ -401,6 +403,13 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
     let text = read_text(path)?;
     FileKind::Blade.require(path, &text)?;
     let (format, reading) = parse(&text, path, options)?;
+    if let Some(body) = options.body.as_ref().filter(|_| !hawc2::has_bodies(&text)) {
+        let location = SourceLocation::file(path.display().to_string());
+        return Err(Diagnostics::one(
+            location,
+            &ExchangeProblem::no_bodies(body),
+        ));
+    }
     // An invalid line cannot be described either.
     let found = reading.blade.length();
     if !found.is_finite() {

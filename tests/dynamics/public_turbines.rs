@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::stability::stability;
 use beam_dynamics::input;
-use beam_dynamics::result::{StabilityResult, StabilityRoot};
+use beam_dynamics::result::{BoundaryKind, StabilityResult, StabilityRoot};
 
 use crate::record;
 
@@ -98,4 +99,36 @@ fn the_rotor_of_nrel5mw_has_little_edgewise_damping() {
         ratios.iter().all(|ratio| (0.004..0.015).contains(ratio)),
         "{ratios:?}"
     );
+}
+
+/// The blade of the NREL 5 MW turbine in still air flutters at 31.58 rpm (page of the case). The boundary of
+/// `stability` is where the growth of the eigenvalues of single files has its zero: of opposite signs 1e-3
+/// below and above it.
+#[test]
+fn the_blade_of_nrel_5mw_flutters_at_overspeed() {
+    let file = "cases/dynamics/turbine_modes/nrel5mw_overspeed.dynamics.toml";
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (model, _) = text.split_once("[stability]").unwrap();
+    let text =
+        format!("{model}[stability]\nparameter = \"rpm\"\nvalues = [30, 33]\ntolerance = 1e-4\n");
+    let read = |given: &[(String, f64)]| input::parse_with(&text, &path, given);
+    let input = read(&[]).unwrap_or_else(|problems| panic!("{problems}"));
+    let result = stability("overspeed", &input.stability.unwrap(), None, &read);
+    assert!(result.failures.is_empty(), "{:#?}", result.failures);
+    let [boundary] = &result.boundaries[..] else {
+        panic!("{:#?}", result.boundaries);
+    };
+    assert_eq!(boundary.kind, BoundaryKind::Flutter);
+    let error = (boundary.at / 31.58 - 1.0).abs();
+    assert!(error < 5e-4, "{boundary:?}");
+    let growth = |rpm: f64| {
+        let input = read(&[("rpm".to_owned(), rpm)]).unwrap();
+        let outcome = modes(&input.model, &input.modes.unwrap());
+        let points = outcome.table.at_speed(0).into_iter();
+        let growths = points.map(|(_, point)| -point.damping_ratio);
+        growths.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let [below, above] = [0.999, 1.001].map(|part| growth(part * boundary.at));
+    assert!(below < 0.0 && above > 0.0, "{below} {above}");
 }

@@ -11,6 +11,7 @@ mod ground_resonance;
 mod names;
 mod problems;
 mod rotor;
+mod section_flutter;
 mod trimmed;
 
 /// The stability of a file in radians and SI units.

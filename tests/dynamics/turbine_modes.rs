@@ -3,10 +3,11 @@
 
 use std::f64::consts::TAU;
 
+use beam_dynamics::analysis::identification::{IdentificationSettings, Record, identify};
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::stability::stability;
 use beam_dynamics::input::{self, Input};
-use beam_dynamics::result::{StabilityResult, StabilityRoot};
+use beam_dynamics::result::{IdentificationMethod, StabilityResult, StabilityRoot};
 
 use crate::in_time::Run;
 use crate::record;
@@ -205,6 +206,32 @@ fn a_whirl_decays_in_time_as_its_eigenvalue_says() {
         let error = (pair[0] / pair[1] - 1.0).abs();
         record::value("own modes", case, quantity, pair, error, within);
         assert!(error < within, "{quantity}: {pair:?}");
+    }
+    // The identification of records finds the same motion in the run.
+    let times: Vec<_> = (0..motion.len()).map(|k| STEP * k as f64).collect();
+    let settings = IdentificationSettings {
+        count: 4,
+        noise: 1e-6,
+    };
+    let (found, _) = identify(&Record::new(&times, &motion).unwrap(), &settings).unwrap();
+    let of = |method| {
+        let mut own = found.iter().filter(move |mode| mode.method == method);
+        let largest = own.next();
+        largest.unwrap_or_else(|| panic!("{method:?}: {found:?}"))
+    };
+    for (method, within) in [
+        (IdentificationMethod::Prony, [0.03, 3e-3]),
+        (IdentificationMethod::MovingBlock, [0.1, 5e-3]),
+    ] {
+        let own = of(method);
+        let errors = [
+            (own.growth / expected.growth() - 1.0).abs(),
+            (own.frequency / expected.frequency() - 1.0).abs(),
+        ];
+        assert!(
+            errors[0] < within[0] && errors[1] < within[1],
+            "{method:?}: {errors:?}"
+        );
     }
 }
 

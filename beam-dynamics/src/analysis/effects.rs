@@ -71,10 +71,13 @@ pub(super) fn idle(
         several => {
             let alike = (0..targets.len()).filter(|i| u[(*i, least)].abs() > TAKES_PART);
             let alike: Vec<_> = alike.map(|i| format!("\"{}\"", targets[i].name)).collect();
+            let alike = match alike.len() {
+                0 | 1 => String::new(),
+                _ => format!(", or {} respond alike to all controls", alike.join(" and ")),
+            };
             format!(
-                "{} have the same effect on all targets, or {} respond alike to all controls",
-                several.join(" and "),
-                alike.join(" and ")
+                "{} have the same effect on all targets{alike}",
+                several.join(" and ")
             )
         }
     };

@@ -6,9 +6,8 @@
 //!    from the last solution.
 //! 3. Controls that are parameters of the file are found around that, by Broyden's method.
 
-use shared_geom::error::{Diagnostics, counted};
+use shared_geom::error::Diagnostics;
 
-use crate::analysis::effects;
 use crate::analysis::periodic::periodic_watched;
 use crate::analysis::statics::{point, static_step};
 use crate::case::{Model, Sweep, TrimControl, TrimMethod, TrimSettings};
@@ -18,8 +17,9 @@ use crate::result::{PeriodicPass, PeriodicResult, StaticResult, TrimPoint, TrimR
 
 mod balanced;
 mod broyden;
+mod reason;
 
-use broyden::{Range, Stop};
+use broyden::Range;
 
 /// Reads the file with other values of parameters.
 pub type Reader<'a> = &'a dyn Fn(&[(String, f64)]) -> Result<Input, Diagnostics>;
@@ -273,7 +273,10 @@ impl Search<'_> {
             };
             broyden::solve(&mut evaluate, &mut x, &ranges, limits)
         };
-        let failure = self.failure(stop, last.as_ref());
+        let errors = last.as_ref().map(|last| self.errors(last));
+        let errors = errors.unwrap_or_default();
+        let still = || last.as_ref().and_then(|last| at_rest(&last.end.input));
+        let failure = reason::of_end(stop, self.settings, (&x, &errors), &still);
         self.parameters = Some(x);
         (last, failure, iterations)
     }
@@ -288,49 +291,6 @@ impl Search<'_> {
             .skip(first);
         own.map(|([found, required], target)| (found - required) / target.scale)
             .collect()
-    }
-
-    /// The reason of an end without a solution, with its remedy.
-    fn failure(&self, stop: Stop<[String; 2]>, last: Option<&Solved>) -> Option<[String; 2]> {
-        let settings = self.settings;
-        let first = settings.controls.len();
-        let targets = &settings.targets[first..];
-        let worst = || {
-            let errors = last.map(|last| self.errors(last)).unwrap_or_default();
-            let pairs = errors.into_iter().zip(targets);
-            let worst = pairs.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-            worst.map_or_else(String::new, |(error, target)| {
-                let off = short_number(error * target.scale, 4);
-                format!("\"{}\" is off by {off}", target.name)
-            })
-        };
-        let text = match stop {
-            Stop::Met => return None,
-            Stop::Failed(failure) => return Some(failure),
-            Stop::Bound(index, bound) => {
-                let name = &settings.parameters[index].name;
-                format!(
-                    "the control \"{name}\" reaches its bound {bound}, and {}",
-                    worst()
-                )
-            }
-            Stop::Singular(response) => {
-                let of_parameters = (&response, effects::EXACT);
-                let idle = effects::idle(of_parameters, &settings.parameters, targets);
-                let still = last.and_then(|last| at_rest(&last.end.input));
-                let idle = idle.map(|idle| idle + still.unwrap_or_default());
-                idle.unwrap_or_else(|| {
-                    format!("the controls do not lead to the targets: {}", worst())
-                })
-            }
-            Stop::Iterations => format!(
-                "the targets are not met after {}: {}",
-                counted(settings.iterations, "iteration"),
-                worst()
-            ),
-        };
-        let remedy = "give first guesses nearer to the trim, replace a control, or move its bound";
-        Some([text, remedy.to_owned()])
     }
 
     /// The solution with given values of the parameters, from the last state, or else from the start of

@@ -34,6 +34,7 @@ impl ReadingOptions {
             &Options {
                 length,
                 rigid_shear,
+                ..Options::default()
             },
         )
     }

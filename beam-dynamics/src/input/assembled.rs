@@ -5,7 +5,7 @@ use shared_geom::document::Table;
 use shared_geom::error::{Diagnostics, SourceLocation};
 
 use super::motion_remarks::{free_hinges, free_parts, sampled};
-use super::{Input, transient, trim};
+use super::{Input, periodic, repeats, transient, trim};
 use crate::assembly::{massless, mechanism};
 use crate::case::TrimMethod;
 
@@ -15,6 +15,7 @@ pub(super) struct Locations {
     /// Names and cards of the controls of a trim.
     controls: Vec<(String, SourceLocation)>,
     scheme: Option<SourceLocation>,
+    periodic: Option<SourceLocation>,
 }
 
 impl Locations {
@@ -24,6 +25,7 @@ impl Locations {
             file: SourceLocation::file(file),
             controls: trim::locations(root),
             scheme: transient::scheme_location(root),
+            periodic: periodic::location(root),
         }
     }
 
@@ -42,6 +44,11 @@ pub(super) fn checked(mut input: Input, locations: &Locations) -> Result<Input, 
     let mut problems = trim::problems(&input.model, &locations.controls);
     let unenforced = transient::unenforced(input.transient.as_ref(), &input.model.system);
     if let Some((location, found)) = locations.scheme.as_ref().zip(unenforced) {
+        problems.push(location.clone(), &found);
+    }
+    let periodic = input.periodic.as_ref();
+    let unrepeated = periodic.and_then(|own| repeats::problem(&input.model, own));
+    if let Some((location, found)) = locations.periodic.as_ref().zip(unrepeated) {
         problems.push(location.clone(), &found);
     }
     let mobility = mechanism::find(&input.model.system);

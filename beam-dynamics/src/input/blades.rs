@@ -40,7 +40,7 @@ mod tests;
 
 pub(in crate::input) use pieces::{ELEMENTS, LENGTH, PIECES};
 pub use problem::BladeProblem;
-pub(in crate::input) use stations::STATIONS;
+pub(in crate::input) use stations::{BODY, STATIONS};
 
 use hinges::BladeHinge;
 use layout::BladeLayout;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use shared_geom::document::Table;
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, SourceLocation};
 
 use super::transient::{FROM, REDUNDANT, START};
 use crate::case::{FloquetSettings, PeriodicMethod, PeriodicSettings, Redundant, Start, Words};
@@ -58,6 +58,14 @@ pub(super) fn read(root: &Table<'_>) -> Option<Option<PeriodicSettings>> {
     let mut settings = settings?;
     settings.floquet = floquet?;
     Some(Some(settings))
+}
+
+/// The place of the card.
+pub(super) fn location(root: &Table<'_>) -> Option<SourceLocation> {
+    let table = root
+        .is_table("periodic")
+        .then(|| root.table("periodic"))??;
+    Some(table.document().location(table.line()))
 }
 
 /// Everything but the multipliers.

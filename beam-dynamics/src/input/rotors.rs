@@ -37,6 +37,7 @@ mod parts;
 mod pitch;
 mod plate;
 mod problem;
+mod run_problem;
 mod shaft;
 mod shaft_parts;
 mod speeds;
@@ -50,6 +51,7 @@ mod tests;
 
 pub(super) use keys::CARD;
 pub use problem::RotorProblem;
+pub use run_problem::RotorRunProblem;
 
 use card::Rotor;
 use context::Context;
@@ -59,6 +61,10 @@ use held_pitch::HeldPitch;
 const KEY: &str = "rotor";
 /// Difference of axes, and part of the size of the model, below which axes are the same.
 const SAME_AXIS: f64 = 1e-9;
+
+/// Turns at a first instant that is written with fewer digits than its speed, in differences of the same
+/// speed: half a thousandth of a degree.
+const WRITTEN: f64 = 1.5e3;
 
 /// A rotor of an input, for checks of its analyses.
 #[derive(Debug, Clone)]
@@ -254,16 +260,43 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
     for rotor in rotors {
         if let Some(key) = rotor.unsteady {
             let name = rotor.name.clone();
-            document.note(rotor.line, &RotorProblem::Unsteady { name, key });
+            document.note(rotor.line, &RotorRunProblem::Unsteady { name, key });
         }
         let turns = rotor.speed.unwrap_or_default() * periodic.period / TAU;
         if (turns - turns.round()).abs() > SAME_SPEED * turns.abs().max(1.0) {
-            let problem = RotorProblem::Period {
+            let problem = RotorRunProblem::Period {
                 name: rotor.name.clone(),
                 turns,
                 period: periodic.period,
             };
             document.note(rotor.line, &problem);
+        }
+    }
+}
+
+/// Notes rotors that are between whole turns at the first instant of a run.
+fn check_first_instant(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses) {
+    let of_periodic = analyses
+        .periodic
+        .as_ref()
+        .map(|own| ("[periodic]", &own.start));
+    let of_run = analyses.transient.as_ref().map(|own| ("[transient]", own));
+    for (card, run) in of_periodic.into_iter().chain(of_run) {
+        for rotor in rotors {
+            let speed = rotor.speed.filter(|speed| *speed != 0.0);
+            let Some(speed) = speed else { continue };
+            let turns = speed * run.from / TAU;
+            let beyond = turns - turns.round();
+            if beyond.abs() > SAME_SPEED * turns.abs().max(1.0) * WRITTEN {
+                let problem = RotorRunProblem::FirstInstant {
+                    name: rotor.name.clone(),
+                    card,
+                    from: run.from,
+                    degrees: 360.0 * beyond,
+                    turn: TAU / speed.abs(),
+                };
+                document.note(rotor.line, &problem);
+            }
         }
     }
 }
@@ -279,6 +312,7 @@ pub(super) fn check(
 ) -> Vec<String> {
     let rotors = rotors.as_deref().unwrap_or_default();
     check_period(document, rotors, analyses);
+    check_first_instant(document, rotors, analyses);
     check_turning(document, (rotors, hub), analyses);
     speeds::check(document, rotors, analyses);
     let of_pitch = held_pitch::check(document, rotors, analyses);
@@ -302,7 +336,7 @@ fn check_turning(document: &Document, (rotors, hub): (&[PlacedRotor], &Hub), ana
         let name = rotor.name.clone();
         if let Some(key) = rotor.unsteady.filter(|_| analyses.periodic.is_none()) {
             let name = name.clone();
-            document.note(rotor.line, &RotorProblem::Unsteady { name, key });
+            document.note(rotor.line, &RotorRunProblem::Unsteady { name, key });
         }
         // The node of [hub] with a support turns with the model; another one stands, also on the axis.
         let is_held = |node: &String| hub.moving().is_none() || node != HUB;

@@ -170,8 +170,8 @@ fn solve_sections(
 /// The blade of a file for a comparison. Its shear stiffness is not compared, and may be absent.
 fn published(path: &Path) -> Result<Blade, Diagnostics> {
     let options = exchange::Options {
-        length: None,
         rigid_shear: true,
+        ..exchange::Options::default()
     };
     exchange::read_with(path, &options).map(|(_, reading)| reading.blade)
 }

@@ -1,6 +1,7 @@
 //! Blades of ElastoDyn, the modal structural module of OpenFAST: the blade file with
 //! distributed mass and bending stiffness, alone or named by the primary file, which has
-//! the radii of hub and tip.
+//! the radii of hub and tip; and the tower file as a straight line, whose z is fore-aft
+//! and whose y is side-side.
 //!
 //! ElastoDyn blades are straight, bend only, and have their properties in axes turned by
 //! `StrcTwst`, which is BeamDyn's `initial_twist`: nose down. Axial, shear and torsional
@@ -29,42 +30,55 @@ use super::{Options, Reading};
 
 mod table;
 
-use table::{Row, Table};
+use table::{BLADE, Names, Row, TOWER, Table};
 
 /// Names of the blade file in the primary file.
 const BLADE_FILE: [&str; 2] = ["BldFile(1)", "BldFile1"];
 
-/// Whether `text` is a blade file or a primary file.
+/// Whether `text` is a blade file, a tower file or a primary file.
 pub(super) fn recognize(text: &str) -> bool {
-    named(text, &["NBlInpSt"]).is_some()
+    ["NBlInpSt", "NTwInpSt"]
+        .iter()
+        .any(|name| named(text, &[name]).is_some())
         || named(text, &["TipRad"]).is_some() && named(text, &BLADE_FILE).is_some()
 }
 
-/// Reads a primary file with the blade file that it names, or a blade file alone with the
+/// Reads a primary file with the blade file that it names, or a file of blade or tower alone with the
 /// length of `options`.
 ///
 /// # Errors
-/// All errors of the files; a blade file alone without a length.
+/// All errors of the files; a file of blade or tower alone without a length.
 pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
-    if named(text, &["NBlInpSt"]).is_none() {
+    let is_tower = named(text, &["NTwInpSt"]).is_some();
+    if !is_tower && named(text, &["NBlInpSt"]).is_none() {
         return read_primary(text, file, problems);
     }
-    let table = table::parse(text, &mut problems);
+    let names = if is_tower { &TOWER } else { &BLADE };
+    let table = table::parse(text, names, &mut problems);
     if options.length.is_none() {
+        let part = names.part;
+        let help = match is_tower {
+            true => {
+                "give [rotor.tower] with its height, or --length METERS: TowerHt less TowerBsHt"
+            }
+            false => {
+                "give the primary file of ElastoDyn or the .fst file, which lead to TipRad \
+                 and HubRad, or --length METERS"
+            }
+        };
         problems.push(
             0,
             &ExchangeProblem::Missing {
-                what: "the length of the blade (an ElastoDyn blade file has parts of it only)"
-                    .to_owned(),
-                help: "give the primary file of ElastoDyn or the .fst file, which lead to TipRad \
-                       and HubRad, or --length METERS"
-                    .to_owned(),
+                what: format!(
+                    "the length of the {part} (an ElastoDyn {part} file has parts of it only)"
+                ),
+                help: help.to_owned(),
             },
         );
     }
     let (table, length) = problems.finish(table.zip(options.length))?;
-    Ok(assemble(table, length, file, &[text]))
+    Ok(assemble(table, (names, length), file, &[text]))
 }
 
 /// Reads both files; returns the problems of both.
@@ -87,9 +101,9 @@ fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Readi
     let ((length, path), hub) = problems.finish(length.zip(path).zip(hub))?;
     let blade_text = read_text(&path)?;
     let mut problems = Problems::new(&path.display().to_string());
-    let table = table::parse(&blade_text, &mut problems);
+    let table = table::parse(&blade_text, &BLADE, &mut problems);
     let table = problems.finish(table)?;
-    let mut reading = assemble(table, length, &path, &[text, &blade_text]);
+    let mut reading = assemble(table, (&BLADE, length), &path, &[text, &blade_text]);
     reading.remarks.insert(
         0,
         format!(
@@ -101,8 +115,8 @@ fn read_primary(text: &str, file: &Path, mut problems: Problems) -> Result<Readi
     Ok(reading)
 }
 
-/// The blade of a table.
-fn assemble(table: Table, length: f64, file: &Path, texts: &[&str]) -> Reading {
+/// The blade, or the tower as one, of a table.
+fn assemble(table: Table, (names, length): (&Names, f64), file: &Path, texts: &[&str]) -> Reading {
     let shown = file.display().to_string();
     let positions = table
         .lines
@@ -123,7 +137,7 @@ fn assemble(table: Table, length: f64, file: &Path, texts: &[&str]) -> Reading {
         provenance: provenance("ElastoDyn", texts),
     };
     let mut remarks = table.remarks;
-    remarks.extend(missing(&table.rows));
+    remarks.extend(missing(&table.rows, names.part));
     Reading {
         locations: positions.collect(),
         has_other_damping: table.has_damping,
@@ -151,7 +165,7 @@ fn station(row: &Row, length: f64) -> Station {
 }
 
 /// Remarks on the properties that the table does not have, and their substitutes.
-fn missing(rows: &[Row]) -> Vec<String> {
+fn missing(rows: &[Row], part: &str) -> Vec<String> {
     let mut absent = Vec::new();
     if rows.iter().any(|row| row.axial.is_none()) {
         absent.push("axial");
@@ -164,11 +178,10 @@ fn missing(rows: &[Row]) -> Vec<String> {
         absent.join(" and ")
     ));
     if torsion {
-        remarks.push(
+        remarks.push(format!(
             "torsional stiffness is not in the file: rigid, as in ElastoDyn, by 1e3 max(EIy, \
-             EIz); modes of torsion need a BeamDyn, HAWC2 or windIO file of the blade"
-                .to_owned(),
-        );
+             EIz); modes of torsion need a BeamDyn, HAWC2 or windIO file of the {part}"
+        ));
     }
     if rows.iter().all(|row| row.inertia == [0.0, 0.0]) {
         remarks.push("rotary inertia is not in the file: zero, as in ElastoDyn".to_owned());

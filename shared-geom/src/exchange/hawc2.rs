@@ -65,9 +65,9 @@ pub(super) fn recognize(text: &str) -> bool {
 ///
 /// # Errors
 /// All errors of the files.
-pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
+pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     if htc::recognize(text) {
-        return read_body(text, file);
+        return read_body(text, file, options.body.as_deref());
     }
     let mut remarks = Vec::new();
     let mut problems = Problems::new(&file.display().to_string());
@@ -82,17 +82,22 @@ pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diag
     Ok(assemble(&rows, line, None, remarks, file, &[text]))
 }
 
-/// Reads the blade of an htc file; returns the problems of both files.
-fn read_body(text: &str, file: &Path) -> Result<Reading, Diagnostics> {
+/// Whether `text` is an htc file, whose bodies have names.
+pub(super) fn has_bodies(text: &str) -> bool {
+    htc::recognize(text)
+}
+
+/// Reads the blade of an htc file, or the body called `wanted`; returns the problems of both files.
+fn read_body(text: &str, file: &Path, wanted: Option<&str>) -> Result<Reading, Diagnostics> {
     let mut remarks = Vec::new();
     let mut problems = Problems::new(&file.display().to_string());
-    let (body, mut texts) = htc::blade(text, file, &mut remarks, &mut problems);
+    let (body, mut texts) = htc::body(text, (file, wanted), &mut remarks, &mut problems);
     let companion = body.as_ref().and_then(|body| {
         let named = body.st_file.as_ref()?;
         let found = named.find();
         if found.is_none() {
             problems.turn_to(&named.by);
-            problems.push(named.line, &named.missing("the st file of the blade"));
+            problems.push(named.line, &named.missing("the st file of the body"));
         }
         found
     });
@@ -169,10 +174,20 @@ fn no_set(wanted: Option<(usize, usize, usize)>, names: &[String]) -> ExchangePr
 /// The line of `c2_def`, in Helicoid's axes, with the stated interpolation.
 fn line_of(body: &Body, course: Option<Course>, remarks: &mut Vec<String>) -> ReferenceLine {
     let axes = Convention::Hawc2.axes();
+    let height = |point: Option<&[f64; 4]>| point.map_or(0.0, |point| point[2]);
+    let is_downward = height(body.points.last()) < height(body.points.first());
+    // About y of the body, by half a turn.
+    let side = if is_downward { -1.0 } else { 1.0 };
     let point = |&[x, y, z, twist]: &[f64; 4]| LinePoint {
-        position: axes * Vector3::new(x, y, z),
+        position: axes * Vector3::new(side * x, y, side * z),
         twist: twist.to_radians(),
     };
+    if is_downward {
+        remarks.push(format!(
+            "c2_def of \"{}\" goes along -z, as of towers: it is turned about its y by half a turn",
+            body.name
+        ));
+    }
     let points: Vec<_> = body.points.iter().map(point).collect();
     let course = course.unwrap_or_else(|| {
         let grows = points

@@ -133,6 +133,16 @@ impl ExchangeProblem {
             tried,
         }
     }
+
+    /// The problem that a file of another format than htc has no body with a name.
+    pub fn no_bodies(name: &str) -> Self {
+        Self::Other {
+            what: format!("the body \"{name}\""),
+            found: "a file with one line of sections only".to_owned(),
+            expected: "an htc file of HAWC2, whose main_body have names".to_owned(),
+            help: "remove the name of the body".to_owned(),
+        }
+    }
 }
 
 impl Explain for ExchangeProblem {

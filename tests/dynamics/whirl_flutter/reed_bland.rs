@@ -14,9 +14,13 @@
 //! quarters, so that they are compared with chords of a thousandth and a density of a thousand times.
 
 use std::f64::consts::TAU;
+use std::path::Path;
 
 use beam_dynamics::analysis::modes::modes;
 use beam_dynamics::analysis::periodic::periodic_from;
+use beam_dynamics::analysis::stability::stability;
+use beam_dynamics::input;
+use beam_dynamics::result::BoundaryKind;
 
 use super::{edited, reference, zero};
 use crate::record;
@@ -140,6 +144,45 @@ fn critical_speeds() {
             assert!(error < within, "{rpm}: {found} {expected}");
         }
     }
+}
+
+// The same speed by one command, `stability` of the file over the wind, to its tolerance; with the damping at
+// a constant frequency, the one of the whirl at the boundary.
+#[test]
+fn the_boundary_is_the_critical_speed() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/dynamics/tiltrotor");
+    let path = folder.join(FILE);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let expected = critical(1020.0, 0.65, 1.0);
+    let whirl = damped(
+        1020.0,
+        &[("knots", expected), ("slope_factor", 0.65), ("narrow", 1.0)],
+    )[1];
+    let text = format!(
+        "{text}\n[stability]\nparameter = \"knots\"\nfrom = 120\nto = 200\nsteps = 4\ntolerance = 1e-6\n"
+    );
+    let fixed = [
+        ("rpm", 1020.0),
+        ("slope_factor", 0.65),
+        ("narrow", 1.0),
+        ("whirl", whirl),
+    ];
+    let read = |given: &[(String, f64)]| {
+        let fixed = fixed.map(|(name, value)| (name.to_owned(), value));
+        let all: Vec<_> = fixed.into_iter().chain(given.iter().cloned()).collect();
+        input::parse_with(&text, &path, &all)
+    };
+    let input = read(&[]).unwrap_or_else(|problems| panic!("{problems}"));
+    let result = stability("propeller", &input.stability.unwrap(), None, &read);
+    assert!(result.failures.is_empty(), "{:#?}", result.failures);
+    let [boundary] = &result.boundaries[..] else {
+        panic!("{:#?}", result.boundaries);
+    };
+    assert_eq!(boundary.kind, BoundaryKind::Flutter);
+    assert!(
+        (boundary.at - expected).abs() < 2e-3,
+        "{boundary:?} {expected}"
+    );
 }
 
 // The rotation of the sections in the flow adds lift ahead of the tilt: it lowers the critical speed,

@@ -138,8 +138,8 @@ impl Explain for BladeProblem {
                  along the blade"
             }
             Self::LengthOfPart { .. } => {
-                "of an htc file of HAWC2 the body of the blade is read: give a file of the part alone, as the \
-                 st file of the tower"
+                "of an htc file of HAWC2 the blade is read without body = \"NAME\", the main_body of the \
+                 part; correct the length, or give a file of the part alone"
             }
             Self::Both {
                 first: "mirror", ..

@@ -37,6 +37,7 @@ pub(in crate::input) const STATIONS: Family = Family {
     meaning: "From a blade file.",
     keys: &[
         FILE.schema,
+        BODY.schema,
         ELEMENTS.schema,
         LENGTH.schema,
         RIGID_SHEAR.schema,
@@ -48,6 +49,8 @@ keys! {
     /// The blade file, with line, twist and stations, of any known format; a relative path is
     /// relative to the folder of this file.
     FILE: String = "file", [Text], required, "\"nrel5mw.blade.json\"";
+    /// Name of the body in an htc file of HAWC2, in place of the blade.
+    pub(in crate::input) BODY: Option<String> = "body", [Text], optional, "\"tower\"";
     /// Number of elements.
     ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";
     /// Length of a straight blade, for files of sections without a line.
@@ -81,7 +84,7 @@ pub(super) struct StationLine {
 /// Reads the file named by `file` of a card.
 pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<StationLine> {
     let (elements, length) = (table.get(&ELEMENTS), table.get(&LENGTH));
-    let rigid_shear = table.get(&RIGID_SHEAR);
+    let (rigid_shear, body) = (table.get(&RIGID_SHEAR), table.get(&BODY));
     let damping = damping::read_of_file(table);
     let words = "blade from a file".to_owned();
     heat::refuse_without_properties(table, &words);
@@ -91,6 +94,7 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
     let options = Options {
         length: length?,
         rigid_shear: rigid_shear?,
+        body: body?,
     };
     let (_, mut reading) = document.keep(exchange::read_with(&path, &options))?;
     is_of_part(table, (&written, reading.blade.length()), options.length)?;

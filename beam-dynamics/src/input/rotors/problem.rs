@@ -303,31 +303,6 @@ pub enum RotorProblem {
         /// Name of the control.
         control: String,
     },
-    /// A drive without a state of steady rotation.
-    #[error(
-        "rotor \"{name}\" has \"{key}\", which has no state of steady rotation: the azimuth may have any value"
-    )]
-    Unsteady {
-        /// Name of the rotor.
-        name: String,
-        /// The key.
-        key: &'static str,
-    },
-    /// A period in which the rotor does not turn a whole number of times.
-    #[error(
-        "rotor \"{name}\" turns {} times in the period of {} s of [periodic], expected a whole number \
-         of turns",
-        short_number(*.turns, 6),
-        short_number(*.period, 6)
-    )]
-    Period {
-        /// Name of the rotor.
-        name: String,
-        /// Its turns [-].
-        turns: f64,
-        /// The period [s].
-        period: f64,
-    },
     /// A model that turns about another axis than the rotor.
     #[error("the model turns about the axis of [hub], and rotor \"{name}\" has another")]
     Axes {
@@ -450,13 +425,6 @@ impl RotorProblem {
                 "find the motion in [periodic] with the speed of the rotor, its modes in \
                  [periodic.floquet], and these over a parameter in [stability] with by = \"Floquet\"; \
                  runs in time begin with start = \"given\""
-            }
-            Self::Unsteady { .. } => {
-                "remove it, so that the engine has the constant \"speed\" of the rotor, or compute the \
-                 motion in time from start = \"given\""
-            }
-            Self::Period { .. } => {
-                "give [periodic] the \"speed\" of the rotor, or the common period of all rotors"
             }
             Self::Axes { .. } => {
                 "steady rotation needs the axis and the center of the rotor in [hub], and one rotor; \

@@ -1,15 +1,75 @@
-//! The blade file: parameters, factors, and the table of distributed properties.
+//! The files of blade and tower: parameters, factors, and the table of distributed properties.
 
 use crate::exchange::named::{missing, named, optional};
 use crate::exchange::problem::{ExchangeProblem, Problems};
 use crate::exchange::text::{Line, lines};
 
-/// Columns that a blade needs.
-const NEEDED: [&str; 5] = ["BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff"];
-/// Columns of older tables that are read if they have numbers.
-const MORE: [&str; 4] = ["EAStff", "GJStff", "FlpIner", "EdgIner"];
-/// Columns without an effect on the structure of a blade here.
-const NO_EFFECT: [&str; 2] = ["PitchAxis", "AeroCent"];
+/// The names in a file of a part.
+#[derive(Debug)]
+pub(super) struct Names {
+    /// The part.
+    pub part: &'static str,
+    /// The number of rows.
+    count: &'static str,
+    /// Columns that it needs: part of the length, twist of a blade, mass, and bending stiffness along z
+    /// and along y.
+    needed: &'static [&'static str],
+    /// Columns that are read if they have numbers: axial and torsional stiffness, inertia of both bendings.
+    more: [&'static str; 4],
+    /// Columns without an effect on the structure here.
+    no_effect: &'static [&'static str],
+    /// Factors of mass and of both bending stiffnesses.
+    factors: [&'static str; 3],
+    /// Damping of modes, each with the names of newer and older files, and its mode.
+    damping: &'static [([&'static str; 2], &'static str)],
+    /// Factors of the stiffness of modes.
+    tuners: &'static [[&'static str; 2]],
+    /// A word of the shapes of modes.
+    shape: &'static str,
+}
+
+/// A blade.
+pub(super) const BLADE: Names = Names {
+    part: "blade",
+    count: "NBlInpSt",
+    needed: &["BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff"],
+    more: ["EAStff", "GJStff", "FlpIner", "EdgIner"],
+    no_effect: &["PitchAxis", "AeroCent"],
+    factors: ["AdjBlMs", "AdjFlSt", "AdjEdSt"],
+    damping: &[
+        (["BldFlDmp(1)", "BldFlDmp1"], "flap 1"),
+        (["BldFlDmp(2)", "BldFlDmp2"], "flap 2"),
+        (["BldEdDmp(1)", "BldEdDmp1"], "edge 1"),
+    ],
+    tuners: &[["FlStTunr(1)", "FlStTunr1"], ["FlStTunr(2)", "FlStTunr2"]],
+    shape: "BldFl1Sh",
+};
+
+/// A tower: z of its sections is fore-aft, y side-side.
+pub(super) const TOWER: Names = Names {
+    part: "tower",
+    count: "NTwInpSt",
+    needed: &["HtFract", "TMassDen", "TwFAStif", "TwSSStif"],
+    more: ["TwEAStif", "TwGJStif", "TwFAIner", "TwSSIner"],
+    no_effect: &[],
+    factors: ["AdjTwMa", "AdjFASt", "AdjSSSt"],
+    damping: &[
+        (["TwrFADmp(1)", "TwrFADmp1"], "fore-aft 1"),
+        (["TwrFADmp(2)", "TwrFADmp2"], "fore-aft 2"),
+        (["TwrSSDmp(1)", "TwrSSDmp1"], "side-side 1"),
+        (["TwrSSDmp(2)", "TwrSSDmp2"], "side-side 2"),
+    ],
+    tuners: &[
+        ["FAStTunr(1)", "FAStTunr1"],
+        ["FAStTunr(2)", "FAStTunr2"],
+        ["SSStTunr(1)", "SSStTunr1"],
+        ["SSStTunr(2)", "SSStTunr2"],
+    ],
+    shape: "TwFAM1Sh",
+};
+
+/// Columns of numbers without twist.
+const WITHOUT_TWIST: usize = 4;
 
 /// A station.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,37 +110,42 @@ struct Factors {
     edge: f64,
 }
 
-/// Reads the file; notes problems.
-pub(super) fn parse(text: &str, problems: &mut Problems) -> Option<Table> {
+/// Reads the file of a part; notes problems.
+pub(super) fn parse(text: &str, names: &Names, problems: &mut Problems) -> Option<Table> {
     let mut remarks = Vec::new();
-    let total = total(text, problems);
-    let mut factor = |name: &str| optional(text, &[name], 1.0, problems);
-    let factors = [factor("AdjBlMs"), factor("AdjFlSt"), factor("AdjEdSt")];
-    let has_damping = modal(text, &mut remarks, problems);
+    let total = total(text, names.count, problems);
+    let factors = names
+        .factors
+        .map(|name| optional(text, &[name], 1.0, problems));
+    let has_damping = modal(text, names, &mut remarks, problems);
     let all = lines(text);
+    let first = names.needed.first().copied().unwrap_or_default();
     let head = all
         .iter()
-        .position(|line| line.first().eq_ignore_ascii_case(NEEDED[0]));
+        .position(|line| line.first().eq_ignore_ascii_case(first));
     let Some(head) = head else {
-        problems.push(0, &missing_table());
+        problems.push(0, &missing_table(names));
         return None;
     };
     let columns: Vec<_> = all[head].words().collect();
-    let positions = needed(&all[head], &columns, problems);
+    let positions = needed(&all[head], &columns, names, problems);
     // Names are followed by units.
     let body = all.get(head + 2..).unwrap_or_default();
-    let found = numbers(body, total?, columns.len(), problems);
+    let found = numbers(body, (first, total?), columns.len(), problems);
     let [Some(mass), Some(flap), Some(edge)] = factors else {
         return None;
     };
     let factors = Factors { mass, flap, edge };
     let (positions, has_damping) = (positions?, has_damping?);
-    let more = MORE.map(|name| {
+    let more = names.more.map(|name| {
         let at = position(&columns, name)?;
         found.iter().any(|(_, row)| row[at] != 0.0).then_some(at)
     });
-    remarks.extend(columns_remark(&columns, &found, more));
-    let row = |row: &[f64]| factors.row(positions.map(|at| row[at]), more.map(|at| Some(row[at?])));
+    remarks.extend(columns_remark(&columns, &found, (names, more)));
+    let row = |row: &[f64]| {
+        let needed = positions.iter().map(|at| row[*at]);
+        factors.row(needed, more.map(|at| Some(row[at?])))
+    };
     Some(Table {
         rows: found.iter().map(|(_, numbers)| row(numbers)).collect(),
         lines: found.iter().map(|(line, _)| *line).collect(),
@@ -93,9 +158,15 @@ impl Factors {
     /// The station of the needed and the further columns of a row.
     fn row(
         &self,
-        [part, twist_deg, mass, flap, edge]: [f64; 5],
+        needed: impl ExactSizeIterator<Item = f64>,
         [axial, torsion, iy, iz]: [Option<f64>; 4],
     ) -> Row {
+        let has_twist = needed.len() > WITHOUT_TWIST;
+        let mut needed = needed;
+        let mut next = || needed.next().unwrap_or(0.0);
+        let part = next();
+        let twist_deg = if has_twist { next() } else { 0.0 };
+        let [mass, flap, edge] = [next(), next(), next()];
         Row {
             part,
             twist_deg,
@@ -110,9 +181,9 @@ impl Factors {
 }
 
 /// The number of stations.
-fn total(text: &str, problems: &mut Problems) -> Option<usize> {
-    let Some(found) = named(text, &["NBlInpSt"]) else {
-        problems.push(0, &missing("NBlInpSt"));
+fn total(text: &str, name: &str, problems: &mut Problems) -> Option<usize> {
+    let Some(found) = named(text, &[name]) else {
+        problems.push(0, &missing(name));
         return None;
     };
     let value = found.value.parse().ok().filter(|count| *count >= 2);
@@ -120,7 +191,7 @@ fn total(text: &str, problems: &mut Problems) -> Option<usize> {
         problems.push(
             found.line,
             &ExchangeProblem::Other {
-                what: "NBlInpSt".to_owned(),
+                what: name.to_owned(),
                 found: format!("\"{}\"", found.value),
                 expected: "a whole number, 2 or more".to_owned(),
                 help: "write the number of rows of the table".to_owned(),
@@ -131,44 +202,50 @@ fn total(text: &str, problems: &mut Problems) -> Option<usize> {
 }
 
 /// Remarks on data of modes; whether modes are damped.
-fn modal(text: &str, remarks: &mut Vec<String>, problems: &mut Problems) -> Option<bool> {
-    let mut value = |names: [&str; 2], default| optional(text, &names, default, problems);
-    let damping = [
-        value(["BldFlDmp(1)", "BldFlDmp1"], 0.0),
-        value(["BldFlDmp(2)", "BldFlDmp2"], 0.0),
-        value(["BldEdDmp(1)", "BldEdDmp1"], 0.0),
-    ];
-    let tuners = [
-        value(["FlStTunr(1)", "FlStTunr1"], 1.0),
-        value(["FlStTunr(2)", "FlStTunr2"], 1.0),
-    ];
-    let ([Some(a), Some(b), Some(c)], [Some(one), Some(two)]) = (damping, tuners) else {
-        return None;
-    };
-    let has_damping = [a, b, c].iter().any(|percent| *percent != 0.0);
+fn modal(
+    text: &str,
+    names: &Names,
+    remarks: &mut Vec<String>,
+    problems: &mut Problems,
+) -> Option<bool> {
+    let mut value = |names: &[&str; 2], default| optional(text, names, default, problems);
+    let damping = names.damping.iter().map(|one| value(&one.0, 0.0));
+    let damping: Vec<_> = damping.collect();
+    let tuners = names.tuners.iter().map(|one| value(one, 1.0));
+    let tuners: Vec<_> = tuners.collect();
+    let damping = damping.into_iter().collect::<Option<Vec<_>>>()?;
+    let tuners = tuners.into_iter().collect::<Option<Vec<_>>>()?;
+    let has_damping = damping.iter().any(|percent| *percent != 0.0);
     if has_damping {
+        let each = names.damping.iter().zip(&damping);
+        let each = each.map(|((_, mode), percent)| format!("{mode} {percent} %"));
         remarks.push(format!(
-            "damping is given for modes (flap 1 {a} %, flap 2 {b} %, edge 1 {c} % of critical) \
-             and is not converted: give damping ratios in [modes]"
+            "damping is given for modes ({} of critical) and is not converted: give damping \
+             ratios in [modes]",
+            each.collect::<Vec<_>>().join(", ")
         ));
     }
-    if [one, two] != [1.0, 1.0] {
+    if tuners.iter().any(|factor| *factor != 1.0) {
+        let name = names.tuners.first().map_or("", |both| both[0]);
+        let each: Vec<_> = tuners.iter().map(f64::to_string).collect();
         remarks.push(format!(
-            "FlStTunr, factors {one} and {two} of the stiffness of flap modes, are not used"
+            "{}, factors {} of the stiffness of modes, are not used",
+            name.trim_end_matches("(1)"),
+            each.join(" and ")
         ));
     }
-    if text.contains("BldFl1Sh") {
+    if text.contains(names.shape) {
         remarks.push("mode shapes of the file are not used: modes are computed".to_owned());
     }
     Some(has_damping)
 }
 
-fn missing_table() -> ExchangeProblem {
+fn missing_table(names: &Names) -> ExchangeProblem {
     ExchangeProblem::Missing {
         what: "the table of distributed properties".to_owned(),
         help: format!(
             "its first line has the names {}; is the file cut short?",
-            NEEDED.join(", ")
+            names.needed.join(", ")
         ),
     }
 }
@@ -181,11 +258,18 @@ fn position(columns: &[&str], name: &str) -> Option<usize> {
 }
 
 /// Indices of the needed columns; notes missing ones.
-fn needed(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<[usize; 5]> {
-    let positions = NEEDED.map(|name| position(columns, name));
-    for (name, _) in NEEDED
+fn needed(
+    line: &Line<'_>,
+    columns: &[&str],
+    names: &Names,
+    problems: &mut Problems,
+) -> Option<Vec<usize>> {
+    let positions = names.needed.iter().map(|name| position(columns, name));
+    let positions: Vec<_> = positions.collect();
+    for (name, _) in names
+        .needed
         .iter()
-        .zip(positions)
+        .zip(&positions)
         .filter(|(_, position)| position.is_none())
     {
         problems.push(
@@ -196,17 +280,13 @@ fn needed(line: &Line<'_>, columns: &[&str], problems: &mut Problems) -> Option<
             },
         );
     }
-    let mut all = [0; 5];
-    for (at, position) in all.iter_mut().zip(positions) {
-        *at = position?;
-    }
-    Some(all)
+    positions.into_iter().collect()
 }
 
 /// The rows of the table with their lines.
 fn numbers(
     body: &[Line<'_>],
-    total: usize,
+    (first_name, total): (&str, usize),
     columns: usize,
     problems: &mut Problems,
 ) -> Vec<(usize, Vec<f64>)> {
@@ -232,7 +312,7 @@ fn numbers(
         let what = format!("station {count}");
         if let Some(row) = line.list(&what, Some(columns), problems) {
             if let Some((_, before)) = rows.last().filter(|(_, before)| before[0] >= row[0]) {
-                let (what, found, before) = (format!("BlFract of {what}"), row[0], before[0]);
+                let (what, found, before) = (format!("{first_name} of {what}"), row[0], before[0]);
                 problems.push(
                     line.number,
                     &ExchangeProblem::Order {
@@ -251,10 +331,11 @@ fn numbers(
                 problems.push(
                     line,
                     &ExchangeProblem::Other {
-                        what: "BlFract at an end of the table".to_owned(),
+                        what: format!("{first_name} at an end of the table"),
                         found: found.to_string(),
                         expected: expected.to_string(),
-                        help: "the table leads from the root, 0, to the tip, 1".to_owned(),
+                        help: "the table leads from the lower or inner end, 0, to the other, 1"
+                            .to_owned(),
                     },
                 );
             }
@@ -267,10 +348,11 @@ fn numbers(
 fn columns_remark(
     columns: &[&str],
     rows: &[(usize, Vec<f64>)],
-    more: [Option<usize>; 4],
+    (names, more): (&Names, [Option<usize>; 4]),
 ) -> Vec<String> {
     let known = |name: &str| {
-        let lists = NEEDED.iter().chain(&MORE).chain(&NO_EFFECT);
+        let lists = names.needed.iter().chain(&names.more);
+        let lists = lists.chain(names.no_effect);
         lists
             .into_iter()
             .any(|known| known.eq_ignore_ascii_case(name))

@@ -98,12 +98,12 @@ fn words(line: &str) -> Vec<&str> {
     code.split_whitespace().collect()
 }
 
-/// The body of the blade: the first one whose name begins with "blade", else the only
+/// The body of the `wanted` name, or the blade: the first one whose name begins with "blade", else the only
 /// one; and the texts of all files that were read. Notes problems; remarks name the other
 /// bodies.
-pub(super) fn blade(
+pub(super) fn body(
     text: &str,
-    file: &Path,
+    (file, wanted): (&Path, Option<&str>),
     remarks: &mut Vec<String>,
     problems: &mut Problems,
 ) -> (Option<Body>, Vec<String>) {
@@ -112,22 +112,29 @@ pub(super) fn blade(
     remarks.extend(reader.outside());
     let texts = std::mem::take(&mut reader.texts);
     let bodies = reader.finish(problems);
-    let body = bodies.and_then(|bodies| chosen(bodies, remarks, problems));
+    let body = bodies.and_then(|bodies| chosen(bodies, wanted, remarks, problems));
     (body, texts)
 }
 
-fn chosen(bodies: Vec<Body>, remarks: &mut Vec<String>, problems: &mut Problems) -> Option<Body> {
+fn chosen(
+    bodies: Vec<Body>,
+    wanted: Option<&str>,
+    remarks: &mut Vec<String>,
+    problems: &mut Problems,
+) -> Option<Body> {
     let bodies: Vec<_> = bodies.into_iter().filter(Body::is_complete).collect();
-    let is_blade = |body: &&Body| body.name.to_lowercase().starts_with("blade");
-    let body = bodies.iter().find(is_blade);
-    let body = body.or(if bodies.len() == 1 {
-        bodies.first()
-    } else {
-        None
-    });
-    let Some(body) = body else {
+    let is_it = |body: &&Body| match wanted {
+        Some(name) => body.name.eq_ignore_ascii_case(name),
+        None => body.name.to_lowercase().starts_with("blade"),
+    };
+    let only = || {
+        bodies
+            .first()
+            .filter(|_| wanted.is_none() && bodies.len() == 1)
+    };
+    let Some(body) = bodies.iter().find(is_it).or_else(only) else {
         let names: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
-        problems.push(0, &no_blade(&names));
+        problems.push(0, &not_found(wanted, &names));
         return None;
     };
     if bodies.len() > 1 {
@@ -157,15 +164,26 @@ fn chosen(bodies: Vec<Body>, remarks: &mut Vec<String>, problems: &mut Problems)
     Some(body.clone())
 }
 
-fn no_blade(names: &[&str]) -> ExchangeProblem {
-    ExchangeProblem::Other {
-        what: "the blade among the bodies of the file".to_owned(),
-        found: match names {
-            [] => "no main_body with timoschenko_input and c2_def".to_owned(),
-            _ => names.join(", "),
+fn not_found(wanted: Option<&str>, names: &[&str]) -> ExchangeProblem {
+    let found = match names {
+        [] => "no main_body with timoschenko_input and c2_def".to_owned(),
+        _ => names.join(", "),
+    };
+    match wanted {
+        Some(name) => ExchangeProblem::Other {
+            what: format!("the body \"{name}\" among the bodies of the file"),
+            found,
+            expected: "the name of one of these main_body".to_owned(),
+            help: "correct the name of the body".to_owned(),
         },
-        expected: "a main_body whose name begins with \"blade\"".to_owned(),
-        help: "keep the main_body of the blade alone in the file, or name it blade1".to_owned(),
+        None => ExchangeProblem::Other {
+            what: "the blade among the bodies of the file".to_owned(),
+            found,
+            expected: "a main_body whose name begins with \"blade\"".to_owned(),
+            help: "give the name of the body in the model (body = \"NAME\"), or keep the main_body of the \
+                   blade alone in the file"
+                .to_owned(),
+        },
     }
 }
 

@@ -380,7 +380,7 @@ fn bad_htc_files_are_reported_with_line_and_remedy() {
     says(
         "hawc2_dtu10_st.dat",
         "none.dat",
-        "test.htc:12: the st file of the blade: found no file \"./none.dat\"",
+        "test.htc:12: the st file of the body: found no file \"./none.dat\"",
     );
     says(
         "nsec 27",

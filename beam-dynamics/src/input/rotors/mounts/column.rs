@@ -5,7 +5,8 @@ use shared_geom::document::{Card, Content, Table};
 use shared_geom::rotation::vector;
 
 use super::keys::{ELEMENTS, FILE, PROPERTIES};
-use crate::input::blades::TOWER;
+use crate::input::blades::{BODY, TOWER};
+use crate::input::damping;
 use crate::input::rotors::base::{Base, angles, lengths};
 use crate::input::rotors::problem::RotorProblem;
 
@@ -33,6 +34,8 @@ impl Column {
     ) -> Option<Self> {
         let (properties, file) = (table.get(&PROPERTIES), table.get(&FILE));
         let elements = table.get(&ELEMENTS);
+        let of_file = [BODY.name(), damping::KEY_OF_FILE.name()];
+        let of_file = of_file.map(|key| Some((key, table.copied(key)?)));
         let (properties, file, elements) = (properties?, file?, elements?);
         let length_text = || Content::quantity(length, "m");
         let keys = match (properties, file) {
@@ -43,12 +46,18 @@ impl Column {
                     ("properties", properties.into()),
                     ("piece", Content::list([piece])),
                 ]
+                .into_iter()
+                .chain(of_file.into_iter().flatten())
+                .collect()
             }
             (None, Some(file)) => vec![
                 ("file", file.into()),
                 ("length", length_text()),
                 ("elements", elements.into()),
-            ],
+            ]
+            .into_iter()
+            .chain(of_file.into_iter().flatten())
+            .collect(),
             _ => {
                 table.note("", &RotorProblem::OneElasticity { part });
                 return None;

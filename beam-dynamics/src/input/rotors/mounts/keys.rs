@@ -9,6 +9,8 @@ use shared_geom::document::{ByHand, Nested};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use crate::input::blades::BODY;
+use crate::input::damping;
 use crate::input::moments::INERTIA;
 
 keys! {
@@ -21,14 +23,20 @@ keys! {
 keys! {
     /// The name of its properties.
     pub(super) PROPERTIES: Option<String> = "properties", [Text], or "`file`", "\"tower\"";
-    /// A file of its sections, without a line of its own.
+    /// A file of its sections, as of a tower of ElastoDyn, or with a straight line of the same length.
     pub(super) FILE: Option<String> = "file", [Text], or "`properties`", "\"tower.blade.json\"";
     /// Number of beams of three nodes.
     pub(super) ELEMENTS: usize = "elements", [Count(1000)], or "5" = 5, "10";
 }
 
 /// The keys of its elasticity.
-const COLUMN: [KeySchema; 3] = [PROPERTIES.schema, FILE.schema, ELEMENTS.schema];
+const COLUMN: [KeySchema; 5] = [
+    PROPERTIES.schema,
+    FILE.schema,
+    BODY.schema,
+    damping::KEY_OF_FILE.schema,
+    ELEMENTS.schema,
+];
 
 keys! {
     /// Tower from `base` upward, along z of the model.
@@ -42,7 +50,14 @@ keys! {
 const TOWER_TABLE: TableSchema = TableSchema {
     title: "[rotor.tower]",
     meaning: "A straight tower of beams, clamped to the ground or on `node`.",
-    keys: &[HEIGHT.schema, COLUMN[0], COLUMN[1], COLUMN[2]],
+    keys: &[
+        HEIGHT.schema,
+        COLUMN[0],
+        COLUMN[1],
+        COLUMN[2],
+        COLUMN[3],
+        COLUMN[4],
+    ],
     families: &[],
 };
 
@@ -99,7 +114,14 @@ const WING_TABLE: TableSchema = TableSchema {
     title: "wing = { ... }",
     meaning: "A straight wing of beams from `base`, clamped or on `node`; y of its sections is \
               forward.",
-    keys: &[SPAN.schema, COLUMN[0], COLUMN[1], COLUMN[2]],
+    keys: &[
+        SPAN.schema,
+        COLUMN[0],
+        COLUMN[1],
+        COLUMN[2],
+        COLUMN[3],
+        COLUMN[4],
+    ],
     families: &[],
 };
 

@@ -96,6 +96,129 @@ fn a_tower_bends_under_its_nacelle() {
     }
 }
 
+/// A tower of ElastoDyn: 1 kg/m, stiffness by factors of 2 and 0.5.
+const TOWER_FILE: &str = "
+2  NTwInpSt - stations
+1  TwrFADmp(1) - damping
+1  AdjTwMa - mass
+2  AdjFASt - fore-aft
+0.5  AdjSSSt - side-side
+HtFract TMassDen TwFAStif TwSSStif
+(-) (kg/m) (Nm^2) (Nm^2)
+0 1e-3 2e6 3.2e7
+1 1e-3 2e6 3.2e7
+";
+
+/// A tower of HAWC2, from the ground upward along -z of its axes.
+const HTC: &str = "begin new_htc_structure;
+begin main_body;
+name blade1 ;
+begin timoschenko_input ;
+filename ./hawc2_dtu10_st.dat ;
+set 1 1 ;
+end timoschenko_input;
+begin c2_def;
+nsec 2 ;
+sec 1 0 0 0 0 ;
+sec 2 0 0 86.4 0 ;
+end c2_def ;
+end main_body;
+begin main_body;
+name tower ;
+damping_posdef 0 0 0 1e-3 1e-3 1e-3 ;
+begin timoschenko_input ;
+filename ./hawc2_dtu10_st.dat ;
+set 1 1 ;
+end timoschenko_input;
+begin c2_def;
+nsec 3 ;
+sec 1 0 0 0 0 ;
+sec 2 0 0 -10 0 ;
+sec 3 0 0 -20 0 ;
+end c2_def ;
+end main_body;
+end new_htc_structure;
+";
+
+/// A folder with files of towers.
+fn tower_files() -> tempfile::TempDir {
+    const ST: &str = include_str!("../../../../../tests/reference/exchange/hawc2_dtu10_st.dat");
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in [
+        ("tower.dat", TOWER_FILE),
+        ("turbine.htc", HTC),
+        ("hawc2_dtu10_st.dat", ST),
+    ] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+// The tower of a file of ElastoDyn under a mass M, w^2 = 3 EI / (M L^3): EI = 4e6 fore-aft and 1.6e7
+// side-side, twice the frequency. The damping c = T K of the card gives the ratio T w / 2.
+#[test]
+fn towers_of_elastodyn_bend_fore_aft_and_sideways() {
+    const MASS: f64 = 5e3;
+    let folder = tower_files();
+    let mount = format!(
+        "[rotor.tower]\nheight = {HEIGHT}\nfile = \"tower.dat\"\nelements = 3\n\
+         damping = {{ time = 1e-2 }}\n[rotor.nacelle]\nmass = {MASS:?}\n"
+    );
+    let text = rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n");
+    let path = folder.path().join("a.dynamics.toml");
+    let input = crate::input::parse(&text, &path.display().to_string());
+    let input = input.unwrap_or_else(|problems| panic!("{problems}"));
+    let outcome = modes(&input.model, &input.modes.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let expected = (3.0 * EI / (MASS * HEIGHT.powi(3))).sqrt() / TAU;
+    let points = outcome.table.at_speed(0);
+    assert_eq!(points.len(), 2);
+    for ((_, point), factor) in points.iter().zip([1.0, 2.0]) {
+        let undamped = point.frequency / (1.0 - point.damping_ratio.powi(2)).sqrt();
+        assert!(
+            (undamped / (factor * expected) - 1.0).abs() < 1e-4,
+            "{undamped} {expected}"
+        );
+        let ratio = 0.5e-2 * TAU * factor * expected;
+        assert!((point.damping_ratio / ratio - 1.0).abs() < 1e-3);
+    }
+}
+
+// The body of the tower in a file of a turbine: its own line, turned upward. Other names and lengths, and
+// names of bodies in other files, are errors.
+#[test]
+fn towers_of_htc_files_are_bodies_with_a_name() {
+    let folder = tower_files();
+    let path = folder.path().join("a.dynamics.toml");
+    let parsed = |keys: &str| {
+        let mount = format!("[rotor.tower]\n{keys}\n[rotor.nacelle]\nmass = 5e3\n");
+        let text = rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n");
+        crate::input::parse(&text, &path.display().to_string())
+    };
+    let input = parsed("height = 20\nfile = \"turbine.htc\"\nbody = \"Tower\"");
+    let input = input.unwrap_or_else(|problems| panic!("{problems}"));
+    let mut nodes = input.model.system.nodes().iter();
+    let tip = nodes.find(|node| node.label == "r/tower/tip").unwrap();
+    assert_near(tip.position, [0.0, 0.0, 20.0]);
+    for (keys, expected) in [
+        (
+            "height = 20\nfile = \"turbine.htc\"\nbody = \"towr\"",
+            "the body \"towr\" among the bodies of the file",
+        ),
+        (
+            "height = 20\nfile = \"turbine.htc\"",
+            "of an htc file of HAWC2 the blade is read without body",
+        ),
+        (
+            "height = 20\nfile = \"tower.dat\"\nbody = \"tower\"",
+            "expected an htc file of HAWC2",
+        ),
+    ] {
+        let found = parsed(keys).unwrap_err().to_string();
+        assert!(found.contains(expected), "{keys}: {found}");
+    }
+}
+
 // A pylon at 30 degrees, forward along -x, on a wing along y and up.
 #[test]
 fn the_hub_of_a_tiltrotor_is_where_wing_and_pylon_put_it() {

@@ -19,6 +19,63 @@ fn periods_are_whole_turns() {
     }
 }
 
+/// A first instant between whole turns: the model of the file is at azimuth zero.
+#[test]
+fn runs_begin_at_whole_turns() {
+    for card in [
+        "[periodic]\nspeed = 1\n",
+        "[transient]\nto = 90\nstep = 0.1\n",
+    ] {
+        let of = |from: &str| text("rigid", "speed = 1", &format!("{card}from = {from}\n"));
+        let found = refused(&of("0.5"));
+        assert!(
+            found.contains("rotor \"r\" has turned by 3 deg at the first instant")
+                && found.contains("multiples of 60 s"),
+            "{found}"
+        );
+        for from in ["0", "60", "-120"] {
+            parse(&of(from), "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+        }
+    }
+}
+
+/// Angles, forces and winds that are not the same a period later, at any phase and of any harmonic, in 200
+/// cases; whole periods are.
+#[test]
+fn models_repeat_after_the_period() {
+    let mass = "units = \"SI\"\n[[node]]\nname = \"mass\"\nposition = [0, 0, 0]\n[[body]]\nname = \"mass\"\n\
+                node = \"mass\"\nmass = 2\ninertia = [1, 1, 1]\n[[spring]]\nname = \"spring\"\n\
+                node = \"mass\"\nstiffness = [50, 50, 50]\nrotational_stiffness = [1, 1, 1]\n";
+    for case in 0..200 {
+        let (harmonic, phase) = (f64::from(case % 5 + 1), f64::from(case / 5) * 0.157);
+        let of = |period: f64| {
+            format!(
+                "{mass}[[load]]\nnode = \"mass\"\nforce = [3, 0, 0]\n\
+                 drive = \"= sin({harmonic:?}*t + {phase:?})\"\n[periodic]\nperiod = {period:?}\n"
+            )
+        };
+        let sound = std::f64::consts::TAU;
+        parse(&of(sound), "m.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+        let off = sound * (1.0 + 1e-3 * f64::from(case % 7 + 1));
+        let found = refused(&of(off));
+        assert!(
+            found.contains("the force balance along x of node \"mass\" changes by"),
+            "{case}: {found}"
+        );
+    }
+    // The angle of a rotor.
+    let angle = |period: &str| {
+        let speed = format!("[periodic]\nspeed = {period}\n");
+        text("rigid", "angle = \"= 6*t\"", &speed)
+    };
+    parse(&angle("1"), "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+    let found = refused(&angle("1.001"));
+    assert!(
+        found.contains("axes a of \"r/shaft\" changes by"),
+        "{found}"
+    );
+}
+
 const RUN: &str = "[transient]\nto = 0.1\nstep = 1e-3\n";
 
 /// A flap hinge without spring.
