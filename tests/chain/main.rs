@@ -5,6 +5,9 @@
 mod active_twist_rotor;
 mod bimetal;
 mod composite_axes;
+#[allow(dead_code, reason = "this suite has no random cases")]
+#[path = "../common/effort.rs"]
+mod effort;
 mod iea15_layup;
 mod layup_strength;
 mod piezo;

@@ -6,6 +6,7 @@ use beam_dynamics::result::{BoundaryKind, StabilityResult, StableSide};
 
 mod averaged;
 mod closed_forms;
+mod flap_lag;
 mod follower;
 mod ground_resonance;
 mod names;

@@ -16,6 +16,7 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use beam_dynamics::result::{BoundaryKind, StableSide};
 
 use super::{analyzed, assert_boundaries};
+use crate::effort::cases;
 
 const DENSITY: f64 = 1.225;
 const SLOPE: f64 = 5.7;
@@ -111,7 +112,9 @@ impl Wing {
     }
 }
 
-// The speed of flutter of 100 random sections, to 1e-7 of it: growth is found to some 1e-12 of the frequency.
+// The speed of flutter of random sections. Growth below the residual of an eigenvector, at most 1e-7 of
+// the distance of its value from the shift, counts as zero (D-340): 3e-6 1/s here. It rises by 0.03 1/s or more
+// per m/s, so that the speed, of 3 m/s or more, is found to 3e-5 of it.
 #[test]
 fn flutter_of_a_section_has_its_closed_form() {
     let mut random = Pcg64Mcg::seed_from_u64(31);
@@ -119,7 +122,7 @@ fn flutter_of_a_section_has_its_closed_form() {
         low + (high - low) * (random.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
     };
     let mut found = 0;
-    while found < 100 {
+    while found < cases(30) {
         let frequencies = [between(8.0, 15.0), between(16.0, 40.0)];
         let wing = Wing {
             ahead: between(0.03, 0.1),
@@ -138,7 +141,7 @@ fn flutter_of_a_section_has_its_closed_form() {
         }
         let result = analyzed(&wing.cards([0.6 * speed, to]));
         let expected = [(speed, BoundaryKind::Flutter, StableSide::Below)];
-        assert_boundaries(&result, &expected, 1e-7 * speed);
+        assert_boundaries(&result, &expected, 3e-5 * speed);
         found += 1;
     }
 }
