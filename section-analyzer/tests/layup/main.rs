@@ -13,6 +13,7 @@ mod fills;
 mod invariances;
 mod keys;
 mod malformed;
+mod messages;
 mod mirrored;
 mod narrow;
 mod nose;
