@@ -15,6 +15,7 @@ mod keys;
 mod malformed;
 mod messages;
 mod mirrored;
+mod mirrored_stiffness;
 mod narrow;
 mod nose;
 mod prevabs;
