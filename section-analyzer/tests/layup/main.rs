@@ -6,6 +6,7 @@ mod effort;
 mod absent;
 mod blades;
 mod closed_forms;
+mod command_line;
 mod edge_webs;
 mod equal;
 mod files;
