@@ -29,4 +29,5 @@ mod spars;
 mod stations;
 mod windio;
 mod windio_rules;
+mod windio_span;
 mod words;
