@@ -361,10 +361,17 @@ impl Layup {
     /// meters.
     ///
     /// # Errors
-    /// A place or a contour that does not exist there.
+    /// All places that do not exist there, or a contour that does not.
     pub fn section(&self, eta: f64) -> Result<LayupSection, Diagnostics> {
-        let resolved = Resolver::new(self, eta).and_then(|resolver| resolver.section());
-        resolved.map_err(|(line, problem)| self.problem(line, &problem))
+        let resolver = Resolver::new(self, eta);
+        let resolver = resolver.map_err(|(line, problem)| self.problem(line, &problem))?;
+        resolver.section().map_err(|problems| {
+            let mut all = Diagnostics::new();
+            for (line, problem) in problems {
+                all.push(SourceLocation::line(&self.file, line), &problem);
+            }
+            all
+        })
     }
 
     /// The mesh of the section at a position along the span.

@@ -1,5 +1,7 @@
 //! `section-analyzer blade --check` and `--compare`.
 
+use serde_json::Value;
+
 use crate::whole_blade::LAYUP;
 use crate::workplace::{Run, Workplace};
 
@@ -81,4 +83,70 @@ fn differences_from_another_blade_are_listed() {
     // without the option the table is removed
     assert_eq!(blade(&place, &stations).code, 0);
     assert!(!place.path("b/a.compare.csv").exists());
+}
+
+/// A blade without shear stiffness is compared as one that is rigid in shear: mass and EA are those of the
+/// file, and EI and GJ those of
+///
+/// ```text
+/// EI = eigenvalues of inverse(D[2..3, 2..3]),  GJ = 1/D11,  D = inverse(K[1,4,5,6])[4..6]
+/// ```
+///
+/// to the round-off of an inverse, as rigid shear does not couple.
+#[test]
+fn a_blade_without_shear_is_compared() {
+    use nalgebra::{Matrix2, Matrix4};
+
+    let place = workplace(LAYUP);
+    let stations = ["--stations", "0.2,0.7", "--no-figures"];
+    assert_eq!(blade(&place, &stations).code, 0);
+    let mut other: Value = serde_json::from_str(&place.read("b/a.blade.json")).unwrap();
+    let mut expected = Vec::new();
+    for station in other["stations"].as_array_mut().unwrap() {
+        let k = &mut station["stiffness"];
+        let rest = [0, 3, 4, 5];
+        let entry = |i: usize, j: usize| k[rest[i]][rest[j]].as_f64().unwrap();
+        let d = Matrix4::from_fn(entry).try_inverse().unwrap();
+        let bending = Matrix2::from_fn(|i, j| d[(i + 2, j + 2)]);
+        let values = bending.symmetric_eigenvalues();
+        expected.push([
+            entry(0, 0),
+            1.0 / values.max(),
+            1.0 / values.min(),
+            1.0 / d[(1, 1)],
+        ]);
+        for i in 0..6 {
+            for j in [1, 2] {
+                k[i][j] = 0.0.into();
+                k[j][i] = 0.0.into();
+            }
+        }
+    }
+    place.write("bare.blade.json", &other.to_string());
+    let run = blade(
+        &place,
+        &[&stations[..], &["--compare", "bare.blade.json"]].concat(),
+    );
+    assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
+    let text = place.read("b/a.compare.csv");
+    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().unwrap();
+    for (row, expected) in lines.zip(expected) {
+        let of = |column: &str| -> f64 {
+            let at = names.iter().position(|name| *name == column).unwrap();
+            row[at].parse().unwrap()
+        };
+        assert_eq!(of("mass_difference [%]"), 0.0);
+        let columns = [
+            "ea_other [N]",
+            "ei_flap_other [N m^2]",
+            "ei_edge_other [N m^2]",
+            "gj_other [N m^2]",
+        ];
+        for (column, expected) in columns.iter().zip(expected) {
+            let error = of(column) / expected - 1.0;
+            println!("{column} {error:e}");
+            assert!(error.abs() < 1e-9, "{column}: {error}");
+        }
+    }
 }

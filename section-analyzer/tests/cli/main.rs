@@ -8,6 +8,7 @@ mod bad_files;
 mod bad_property_files;
 mod bad_section;
 mod blade;
+mod blade_cache;
 mod blade_options;
 mod blade_report;
 mod compare;

@@ -28,7 +28,7 @@ impl Random {
         low + (high - low) * self.unit()
     }
 
-    fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         ((self.unit() * count as f64) as usize).min(count - 1)
     }
 }
@@ -294,6 +294,7 @@ fn damaged_layups_are_meshed_or_refused() {
         for _ in 0..=random.below(2) {
             damage(&mut section, &mut random);
         }
+        println!("{seed}");
         match section.generate() {
             Ok(_) => meshed += 1,
             Err(problem) => {

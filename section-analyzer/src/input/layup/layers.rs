@@ -232,6 +232,10 @@ impl Known {
         } else {
             None
         };
+        if angles.as_ref().is_some_and(Vec::is_empty) {
+            table.wrong(&ANGLES, "one angle or more");
+            return None;
+        }
         if angles.is_some() && table.has(&FIBER_ANGLE) {
             table.note(&FIBER_ANGLE, &LayupFileProblem::Angles { layer });
             return None;
@@ -248,11 +252,7 @@ impl Known {
             } else {
                 count.map(|_, plies| plies * ply)
             })),
-            (None, Some(angles)) if !angles.is_empty() => Some(Stack::Plies(ply, angles)),
-            _ => {
-                table.wrong(&ANGLES, "one angle or more");
-                None
-            }
+            (None, angles) => angles.map(|angles| Stack::Plies(ply, angles)),
         }
     }
 }

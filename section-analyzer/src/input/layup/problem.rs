@@ -272,6 +272,41 @@ impl LayupFileProblem {
 /// A problem, and the line of the file that it belongs to.
 pub(super) type Located = (usize, LayupFileProblem);
 
+/// The problems of a section.
+#[derive(Debug, Default)]
+pub(super) struct Wrong(Vec<Located>);
+
+impl Wrong {
+    /// Notes a problem, unless the same line has it already: a place that several layers use.
+    pub fn note(&mut self, (line, problem): Located) {
+        let place = |problem: &LayupFileProblem| match problem {
+            LayupFileProblem::OffContour { place, .. } => Some(place.clone()),
+            _ => None,
+        };
+        let is_it = |known: &Located| {
+            let same_place = place(&known.1).is_some() && place(&known.1) == place(&problem);
+            known.0 == line && (same_place || known.1 == problem)
+        };
+        if !self.0.iter().any(is_it) {
+            self.0.push((line, problem));
+        }
+    }
+
+    /// The value of a result, or a note of its problem.
+    pub fn keep<T>(&mut self, result: Result<T, Located>) -> Option<T> {
+        result.map_err(|problem| self.note(problem)).ok()
+    }
+
+    /// The value if there are no problems, else all of them.
+    pub fn none<T>(self, value: T) -> Result<T, Vec<Located>> {
+        if self.0.is_empty() {
+            Ok(value)
+        } else {
+            Err(self.0)
+        }
+    }
+}
+
 impl Explain for LayupFileProblem {
     fn help(&self) -> Option<String> {
         match self {
@@ -288,6 +323,10 @@ impl Explain for LayupFileProblem {
                  along the contour"
                     .into(),
             ),
+            Self::Circle { places } => Some(format!(
+                "give \"{}\" by a place of another form, as 0.31, {{ x = 0.3, side = \"suction\" }} or \"nose\"",
+                places.first().map_or("one of them", String::as_str)
+            )),
             Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())

@@ -2,10 +2,12 @@
 
 use std::cell::OnceCell;
 
+use shared_geom::units::rounded;
+
 use super::fills::{FillBound, WrittenFill};
 use super::names::{Found, POINTS};
 use super::place::{Place, PlaceForm};
-use super::problem::{LayupFileProblem, Located};
+use super::problem::{LayupFileProblem, Located, Wrong};
 use super::{Layup, WrittenLayer, WrittenWeb};
 use crate::mesh::generate::layup::{Bound, Fill, Layer, LayupSection, Outline, Spar, Web, WebPly};
 
@@ -41,34 +43,51 @@ impl<'a> Resolver<'a> {
         })
     }
 
-    /// The section, lengths in meters.
-    pub fn section(&self) -> Result<LayupSection, Located> {
-        let (layers, along) = self.layers()?;
-        let (webs, spar) = self.webs(&along)?;
+    /// The section, lengths in meters, or all its problems.
+    pub fn section(&self) -> Result<LayupSection, Vec<Located>> {
+        let mut wrong = Wrong::default();
+        let (layers, along) = self.layers(&mut wrong);
+        let (webs, spar) = self.webs(&along, &mut wrong);
         let fills = self.layup.fills.iter();
         let fills = fills.filter(|fill| self.eta >= fill.range[0] && self.eta <= fill.range[1]);
-        let fills: Result<_, Located> = fills.map(|fill| self.fill(fill)).collect();
-        Ok(LayupSection {
+        let fills = fills
+            .filter_map(|fill| self.fill(fill, &mut wrong))
+            .collect();
+        wrong.none(LayupSection {
             contour: self.layup.shape.contour(self.eta),
             layers,
             webs,
             spar,
-            fills: fills?,
+            fills,
             size: self.layup.size,
         })
     }
 
+    /// The arcs of two places; notes the problems of both.
+    fn both(
+        &self,
+        line: usize,
+        places: [&Place; 2],
+        (kind, name): (&str, &str),
+        wrong: &mut Wrong,
+    ) -> Option<[f64; 2]> {
+        let [first, second] = places.map(|place| {
+            let arc = self.arc(line, place, &mut Vec::new());
+            wrong.keep(arc.map_err(|(line, problem)| (line, problem.of(kind, name))))
+        });
+        Some([first?, second?])
+    }
+
     /// The layers of the shell, and the numbers of those that continue along webs, with the webs.
-    fn layers(&self) -> Result<(Vec<Layer>, Along<'_>), Located> {
+    fn layers(&self, wrong: &mut Wrong) -> (Vec<Layer>, Along<'_>) {
         let mut layers = Vec::new();
         let mut along = Vec::new();
         let present = self.layup.layers.iter();
         for layer in present.filter(|layer| self.has(layer) && !self.lacks_web(layer)) {
-            let mut places = Vec::new();
-            let mut arc = |place| self.arc(layer.line, place, &mut places);
-            let ends = arc(&layer.from).and_then(|from| Ok((from, arc(&layer.to)?)));
-            let of = |(line, problem): Located| (line, problem.of("layer", &layer.name));
-            let (from, to) = ends.map_err(of)?;
+            let (ends, of) = ([&layer.from, &layer.to], ("layer", layer.name.as_str()));
+            let Some([from, to]) = self.both(layer.line, ends, of, wrong) else {
+                continue;
+            };
             let perimeter = self.outline.perimeter();
             let width = (to - from) * perimeter;
             // other layers may leave no length between them
@@ -92,18 +111,20 @@ impl<'a> Resolver<'a> {
                 profile: layer.profile.clone(),
             });
         }
-        Ok((layers, along))
+        (layers, along)
     }
 
     /// The webs, and the spar of the layers `along` one of them.
-    fn webs(&self, along: &[(&str, usize)]) -> Result<(Vec<Web>, Option<Spar>), Located> {
+    fn webs(&self, along: &[(&str, usize)], wrong: &mut Wrong) -> (Vec<Web>, Option<Spar>) {
         let mut webs = Vec::new();
         let mut spar: Option<Spar> = None;
         for web in &self.layup.webs {
             if self.eta < web.range[0] || self.eta > web.range[1] {
                 continue;
             }
-            let made = self.web(web)?;
+            let Some(made) = self.web(web, wrong) else {
+                continue;
+            };
             if self.layup.is_of_spar(web) {
                 let of_it = along.iter().filter(|(of, _)| *of == web.name);
                 let layers: Vec<usize> = of_it.map(|(_, number)| *number).collect();
@@ -113,26 +134,23 @@ impl<'a> Resolver<'a> {
                 let others = spar.iter().flat_map(|spar| &spar.webs);
                 if let Some(other) = others.map(|web| web.name.clone()).next() {
                     let webs = [other, made.name];
-                    return Err((web.line, LayupFileProblem::TwoSpars { webs }));
+                    wrong.note((web.line, LayupFileProblem::TwoSpars { webs }));
+                    continue;
                 }
                 spar = Some(Spar::around_nose(made.name, made.arcs, layers));
             } else {
                 webs.push(made);
             }
         }
-        Ok((webs, spar))
+        (webs, spar)
     }
 
-    fn web(&self, web: &WrittenWeb) -> Result<Web, Located> {
-        let mut places = Vec::new();
-        let mut arc = |place| self.arc(web.line, place, &mut places);
-        let ends = arc(&web.places[0]).and_then(|suction| Ok((suction, arc(&web.places[1])?)));
-        let of = |(line, problem): Located| (line, problem.of("web", &web.name));
-        let (suction, pressure) = ends.map_err(of)?;
+    fn web(&self, web: &WrittenWeb, wrong: &mut Wrong) -> Option<Web> {
+        let arcs = self.both(web.line, web.places.each_ref(), ("web", &web.name), wrong)?;
         let plies = web.plies.iter().filter(|ply| self.has(ply));
-        Ok(Web {
+        Some(Web {
             name: web.name.clone(),
-            arcs: [suction, pressure],
+            arcs,
             plies: plies
                 .map(|ply| WebPly {
                     name: ply.name.clone(),
@@ -142,24 +160,21 @@ impl<'a> Resolver<'a> {
         })
     }
 
-    fn fill(&self, fill: &WrittenFill) -> Result<Fill, Located> {
-        let bound = |bound: &Option<FillBound>| match bound {
-            None => Ok(None),
-            Some(FillBound::Web(name, _)) => Ok(Some(Bound::Web(name.clone()))),
+    fn fill(&self, fill: &WrittenFill, wrong: &mut Wrong) -> Option<Fill> {
+        let mut bound = |bound: &Option<FillBound>| match bound {
+            None => Some(None),
+            Some(FillBound::Web(name, _)) => Some(Some(Bound::Web(name.clone()))),
             Some(FillBound::Plane(places)) => {
-                let [suction, pressure] = &**places;
-                let of = |(line, problem): Located| (line, problem.of("fill", &fill.name));
-                let arc = |place| {
-                    let arc = self.arc(fill.line, place, &mut Vec::new());
-                    arc.map_err(of)
-                };
-                Ok(Some(Bound::Line([arc(suction)?, arc(pressure)?])))
+                let of = ("fill", fill.name.as_str());
+                let arcs = self.both(fill.line, places.each_ref(), of, wrong)?;
+                Some(Some(Bound::Line(arcs)))
             }
         };
-        Ok(Fill {
+        let [ahead_of, aft_of] = [bound(&fill.bounds[0]), bound(&fill.bounds[1])];
+        Some(Fill {
             name: fill.name.clone(),
-            ahead_of: bound(&fill.bounds[0])?,
-            aft_of: bound(&fill.bounds[1])?,
+            ahead_of: ahead_of?,
+            aft_of: aft_of?,
         })
     }
 
@@ -222,7 +237,7 @@ impl<'a> Resolver<'a> {
                 let y = (self.layup.shape.origin.at(eta) - x) * self.layup.shape.chord.at(eta);
                 outline
                     .at_y(*side, y)
-                    .ok_or_else(|| off(format!("x = {x}")))?
+                    .ok_or_else(|| off(format!("x = {}", rounded(x))))?
             }
             PlaceForm::Distance(course, side) => {
                 let distance = course.at(eta);
@@ -238,15 +253,17 @@ impl<'a> Resolver<'a> {
                 // the direction behind the plane, y forward and z toward the suction side
                 let ahead = |p: [f64; 2]| -cosine * p[0] - sine * p[1] < distance;
                 let place = outline.first_behind(*side, ahead);
-                place.ok_or_else(|| off(format!("plane = {distance}")))?
+                place.ok_or_else(|| off(format!("plane = {}", rounded(distance))))?
             }
             PlaceForm::Named(name) => self.named(line, name, places)? * perimeter,
         };
         let s = s + place.shift.at(eta) + place.part * perimeter;
         if !(s >= -1e-9 * perimeter && s <= perimeter * (1.0 + 1e-9)) {
             return Err(off(match &place.form {
-                PlaceForm::Distance(course, _) => format!("distance = {} m", course.at(eta)),
-                _ => format!("arc {}", s / perimeter),
+                PlaceForm::Distance(course, _) => {
+                    format!("distance = {} m", rounded(course.at(eta)))
+                }
+                _ => format!("arc {}", rounded(s / perimeter)),
             }));
         }
         Ok((s / perimeter).clamp(0.0, 1.0))

@@ -158,18 +158,39 @@ fn layer<'n>(
     let material = word(item, &what, "material", notes);
     let thickness = thickness(item, &what, root, notes);
     let fiber_angle = fiber_angle(item, &what, places.version, notes);
-    let range =
-        ["start_nd_grid", "end_nd_grid"].map(|key| item.entry(key)?.text().and_then(number));
+    let range = limits(item, &what, notes);
     let arcs = match item.entry("web") {
         None => places.of(Holder::Layer, item, &what, notes),
         Some(_) => Some([Place::arc(0.0), Place::arc(1.0)]),
     };
-    let thickness = thickness?.within([range[0].unwrap_or(0.0), range[1].unwrap_or(1.0)]);
+    let thickness = thickness?.within(range?);
     let (arcs, named) = (arcs?, (name.to_owned(), material?.to_owned()));
     Some(WrittenLayer {
         fiber_angle: fiber_angle?,
         ..WrittenLayer::plain(named, thickness, arcs, item.line)
     })
+}
+
+/// The positions along the span within which a layer or web is; the whole span without them [-].
+fn limits(node: &Node, of: &str, notes: &mut Notes) -> Option<[f64; 2]> {
+    let mut limit = |key: &str, whole: f64| {
+        let Some(given) = node.entry(key) else {
+            return Some(whole);
+        };
+        let position = given.text().and_then(number);
+        let position = position.filter(|position| (0.0..=1.0).contains(position));
+        if position.is_none() {
+            let found = given.text().map_or("a list or a table".into(), |text| {
+                number(text).map_or(format!("\"{text}\""), |number| number.to_string())
+            });
+            let help = "0 is the root, 1 the tip; without the key the thickness alone limits it";
+            let what = format!("{key} of {of}");
+            notes.wrong(given.line, [&what, &found, "a position from 0 to 1", help]);
+        }
+        position
+    };
+    let limits = [limit("start_nd_grid", 0.0), limit("end_nd_grid", 1.0)];
+    Some([limits[0]?, limits[1]?])
 }
 
 /// The thickness, also by the number of plies of the thickness of the material.
@@ -295,14 +316,8 @@ fn web<'n>(node: &'n Node, places: &Places<'n>, notes: &mut Notes) -> Option<Wri
             range = [range[0].max(*first), range[1].min(*last)];
         }
     }
-    for (i, key) in ["start_nd_grid", "end_nd_grid"].into_iter().enumerate() {
-        let given = node.entry(key).and_then(Node::text).and_then(number);
-        range[i] = match (given, i) {
-            (Some(given), 0) => range[0].max(given),
-            (Some(given), _) => range[1].min(given),
-            (None, _) => range[i],
-        };
-    }
+    let limits = limits(node, &what, notes)?;
+    range = [range[0].max(limits[0]), range[1].min(limits[1])];
     if range[0] >= range[1] {
         let found = format!("from {} to {}", range[0], range[1]);
         let help = "compare the grids of its places";

@@ -10,7 +10,6 @@
 //! the points of the first circle behind the nose whose normals are 70 degrees apart, all columns
 //! end in the center of this circle: they are a fan.
 
-use super::super::super::distance;
 use super::super::bisect::zero;
 use super::outline::Outline;
 
@@ -150,11 +149,13 @@ impl Front {
     }
 }
 
-/// Radius of the circle that touches the contour at a point with this normal and goes through another.
-fn radius((p, n): ([f64; 2], [f64; 2]), q: [f64; 2]) -> f64 {
-    let inward = n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]);
+/// Radius of the circle that touches the contour at a point with this inward normal and goes through
+/// another point; infinite if that is not on the inner side.
+pub(super) fn radius((p, n): ([f64; 2], [f64; 2]), q: [f64; 2]) -> f64 {
+    let d = [q[0] - p[0], q[1] - p[1]];
+    let inward = n[0] * d[0] + n[1] * d[1];
     if inward > 0.0 {
-        distance(p, q).powi(2) / (2.0 * inward)
+        (d[0] * d[0] + d[1] * d[1]) / (2.0 * inward)
     } else {
         f64::INFINITY
     }

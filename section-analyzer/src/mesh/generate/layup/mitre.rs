@@ -151,11 +151,12 @@ impl Fade {
                 lean: vec![0.0; 2],
             };
         }
-        let step = length.abs() / STEPS;
+        // the steps end with the room, beyond which the next corner begins
+        let steps = (room * STEPS / length.abs()).ceil().clamp(1.0, MOST as f64);
+        let step = (room / steps).min(length.abs() / STEPS);
         let part = (length.abs() / room.max(f64::MIN_POSITIVE)).max(FADE);
         let mut lean = vec![tangent];
-        let steps = (room / step.max(f64::MIN_POSITIVE)).ceil().min(MOST as f64) as usize;
-        for i in 0..steps {
+        for i in 0..steps as usize {
             let (last, x) = (lean[i], step * (i as f64 + 0.5));
             let (thickness, bend) = surface(x);
             // leans toward the corner spread when they fade

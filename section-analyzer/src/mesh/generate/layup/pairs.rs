@@ -198,12 +198,14 @@ impl Pairs {
             let part = Front::part(self.x(0, s[0]), *fade);
             (front.circle(&self.outline, s), part)
         });
+        // beside a dent of the contour points may have no circle
+        let is_one = |circle: &Circle| circle.radii.iter().all(|radius| radius.is_finite());
         Pair {
             s,
             along,
             cosines: [cosine(0, 1.0), cosine(1, -1.0)],
             length,
-            circle: circle.filter(|(_, part)| *part > 0.0),
+            circle: circle.filter(|(circle, part)| *part > 0.0 && is_one(circle)),
             points,
             normals,
         }

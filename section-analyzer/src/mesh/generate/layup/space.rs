@@ -8,6 +8,8 @@
 //! with q on the other side, n the inward normal and k the curvature at p. Columns along the normals
 //! do not cross if the layers are thinner.
 
+use super::super::super::distance;
+use super::front;
 use super::pairs::FOREMOST;
 use super::problem::LayupProblem;
 use super::wall::Wall;
@@ -41,7 +43,7 @@ impl Wall {
         if mitres.any(|one| one.part(s).is_some()) {
             return f64::INFINITY;
         }
-        let (p, n) = (outline.position(s), outline.inward(s));
+        let touched = (outline.position(s), outline.inward(s));
         let near = AT_NOSE * outline.perimeter();
         let behind = |s: f64| {
             let off = s - outline.nose();
@@ -49,12 +51,10 @@ impl Wall {
         };
         let mut radius = 1.0 / outline.bend(s).max(1e-12);
         for (other, q) in points {
-            let d = [q[0] - p[0], q[1] - p[1]];
-            let inward = n[0] * d[0] + n[1] * d[1];
             // at the seam of a closed contour both sides have one point
-            let is_apart = d[0].hypot(d[1]) > SEAM * outline.perimeter();
-            if behind(*other) * behind(s) <= 0.0 && inward > 0.0 && is_apart {
-                radius = radius.min((d[0] * d[0] + d[1] * d[1]) / (2.0 * inward));
+            let is_apart = distance(touched.0, *q) > SEAM * outline.perimeter();
+            if behind(*other) * behind(s) <= 0.0 && is_apart {
+                radius = radius.min(front::radius(touched, *q));
             }
         }
         radius

@@ -1,7 +1,7 @@
 //! The stations along the contour at which columns of cells stand.
 //!
-//! Fixed stations are the ends, the nose, the corners, the boundaries of webs and, in
-//! pairs, the forks of contacts. The ends of ramps are stations, or have one near on both
+//! Fixed stations are the ends, the nose, the corners, the middle of a base that is a wall, the
+//! boundaries of webs and, in pairs, the forks of contacts. The ends of ramps are stations, or have one near on both
 //! sides, so that layers have their areas. The places at which layers are cut are stations
 //! unless a fixed one is near. The rest is divided by the length of cells
 //! and the turn of the surface; between a web's boundaries nothing is divided.
@@ -83,6 +83,8 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
     if wall.edge != Edge::Smooth {
         singles.extend(wall.ends);
     }
+    // both sides meet in the middle of the base, where angles of fibers turn around
+    singles.extend(wall.edge.is_ring().then_some(0.0));
     let of_webs = webs.iter().flat_map(|web| web.stations.iter().flatten());
     singles.extend(of_webs);
     let same = 1e-10 * perimeter;

@@ -1,0 +1,87 @@
+//! The cache of `section-analyzer blade`: a changed number of the layup is a changed section.
+
+use crate::effort;
+use crate::whole_blade::LAYUP;
+use crate::workplace::{Run, Workplace};
+
+/// Solves the section at 0.7, where all layers are.
+fn blade(workplace: &Workplace) -> Run {
+    let command = ["blade", "a.layup.toml", "--out", "b", "--no-figures"];
+    workplace.run(&[&command[..], &["--stations", "0.7"]].concat())
+}
+
+/// Byte ranges of the numbers of shape, layers, web, mesh and materials that are not part of a name. The
+/// line of the blade is no part of its sections.
+fn numbers() -> Vec<std::ops::Range<usize>> {
+    let start = LAYUP.find("[shape]").expect("the shape");
+    let is_part = |byte: u8| byte.is_ascii_digit() || byte == b'.';
+    let bytes = LAYUP.as_bytes();
+    let mut found = Vec::new();
+    let mut at = start;
+    while at < bytes.len() {
+        let length = bytes[at..]
+            .iter()
+            .take_while(|byte| is_part(**byte))
+            .count();
+        let before = bytes[at - 1];
+        let is_name = before.is_ascii_alphanumeric() || [b'_', b'^'].contains(&before);
+        if length > 0 && !is_name {
+            found.push(at..at + length);
+        }
+        at += length.max(1);
+    }
+    found
+}
+
+/// Another number in the place of one: the airfoil another one, others larger by a thousandth; positions
+/// along the span too, up to 1.
+fn changed(number: &std::ops::Range<usize>) -> String {
+    let text = &LAYUP[number.clone()];
+    let value: f64 = text.parse().expect("a number");
+    let new = match text {
+        "0018" => "0017".to_owned(),
+        "0" if LAYUP[..number.start].ends_with("eta = [") => "0.001".to_owned(),
+        "1" => "0.999".to_owned(),
+        "0" => "0.001".to_owned(),
+        _ => (value * 1.001).to_string(),
+    };
+    [&LAYUP[..number.start], &new, &LAYUP[number.end..]].concat()
+}
+
+/// The largest length of cells divides the contour into a whole number of cells: it is changed by half.
+fn is_of_mesh(number: &std::ops::Range<usize>) -> bool {
+    LAYUP[..number.start].ends_with("size = ")
+}
+
+/// Every number of the layup, changed by a thousandth, solves the section again, and as it was, not: its
+/// results are found, with the same bytes. All of them in the long form, every sixth one else.
+#[test]
+fn a_changed_number_is_a_changed_section() {
+    let workplace = Workplace::new();
+    let all = numbers();
+    assert!(all.len() > 30, "{}", all.len());
+    let step = if effort::is_long() { 1 } else { 6 };
+    let properties = "b/sections/eta_0.7000.properties.json";
+    for (i, number) in all.iter().enumerate().step_by(step) {
+        let mut text = changed(number);
+        if is_of_mesh(number) {
+            text = LAYUP.replace("size = 80", "size = 40");
+        }
+        // without a line that has no effect, so that the first run solves
+        workplace.write("a.layup.toml", LAYUP);
+        let run = blade(&workplace);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{i}");
+        let before = workplace.read(properties);
+        let run = blade(&workplace);
+        assert!(run.out.contains("1 unchanged"), "{i}: {}", run.out);
+        assert_eq!(workplace.read(properties), before);
+        workplace.write("a.layup.toml", &text);
+        let run = blade(&workplace);
+        let line = LAYUP[..number.start]
+            .rsplit('\n')
+            .next()
+            .unwrap_or_default();
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{i}: {line}");
+        assert!(run.out.contains("1 solved"), "{i} {line}: {}", run.out);
+    }
+}
