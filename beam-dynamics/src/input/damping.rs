@@ -4,7 +4,7 @@
 use nalgebra::Matrix6;
 use shared_geom::document::schema::ValueKind::{NotNegative, Rows, Table as OneTable, Vector};
 use shared_geom::document::schema::{Family, TableSchema};
-use shared_geom::document::{ByHand, Key, Table};
+use shared_geom::document::{ByHand, Content, Key, Table};
 use shared_geom::keys;
 use shared_geom::section::Damping;
 use shared_geom::units::Dimension;
@@ -80,6 +80,12 @@ pub(super) fn read_of_file(table: &Table<'_>) -> Option<Option<OfFile>> {
         return times(table, &inner).map(|times| Some(OfFile::Times(times)));
     }
     of_section(table, &inner).map(|own| Some(OfFile::Section(Box::new(own))))
+}
+
+/// The damping of a blade from a file as it is written, with its key, for a card of the blade.
+pub(super) fn copied(table: &Table<'_>) -> Option<(&'static str, Content)> {
+    let key = KEY_OF_FILE.name();
+    Some((key, table.copied(key)?))
 }
 
 /// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is

@@ -34,9 +34,13 @@ impl Column {
     ) -> Option<Self> {
         let (properties, file) = (table.get(&PROPERTIES), table.get(&FILE));
         let elements = table.get(&ELEMENTS);
-        let of_file = [BODY.name(), damping::KEY_OF_FILE.name()];
-        let of_file = of_file.map(|key| Some((key, table.copied(key)?)));
+        let (body, damping) = (table.get(&BODY), damping::read_of_file(table));
         let (properties, file, elements) = (properties?, file?, elements?);
+        let (body, _) = (body?, damping?);
+        let of_file = [
+            body.map(|body| (BODY.name(), body.into())),
+            damping::copied(table),
+        ];
         let length_text = || Content::quantity(length, "m");
         let keys = match (properties, file) {
             (Some(properties), None) => {
