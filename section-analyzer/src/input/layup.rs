@@ -367,9 +367,8 @@ impl Layup {
         let resolver = resolver.map_err(|(line, problem)| self.problem(line, &problem))?;
         resolver.section().map_err(|problems| {
             let mut all = Diagnostics::new();
-            for (line, problem) in problems {
-                all.push(SourceLocation::line(&self.file, line), &problem);
-            }
+            let one = |(line, problem)| all.append(self.problem(line, &problem));
+            problems.into_iter().for_each(one);
             all
         })
     }

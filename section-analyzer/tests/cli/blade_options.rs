@@ -85,8 +85,8 @@ fn differences_from_another_blade_are_listed() {
     assert!(!place.path("b/a.compare.csv").exists());
 }
 
-/// A blade without shear stiffness is compared as one that is rigid in shear: mass and EA are those of the
-/// file, and EI and GJ those of
+/// A blade without shear stiffness is compared as one that is rigid in shear: mass and EA are the values of the
+/// file, and EI and GJ the values of
 ///
 /// ```text
 /// EI = eigenvalues of inverse(D[2..3, 2..3]),  GJ = 1/D11,  D = inverse(K[1,4,5,6])[4..6]

@@ -4,6 +4,7 @@
 mod effort;
 
 mod absent;
+mod bar;
 mod blades;
 mod closed_forms;
 mod command_line;

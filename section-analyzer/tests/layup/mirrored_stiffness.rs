@@ -105,7 +105,7 @@ fn difference(a: &Matrix6<f64>, b: &Matrix6<f64>) -> f64 {
 /// K' = T K T,   T = diag(1, 1, -1, -1, -1, 1)
 /// ```
 ///
-/// to the round-off of two solutions, 1e-9, where the meshes are mirror images, which their areas tell; one
+/// to the round-off of two solutions, 1e-9, where the meshes are mirror images, as they are for equal areas; one
 /// nose in a hundred has stations of which round-off leaves one out, and 1e-3 there. The layups couple
 /// tension and torsion, so that wrong signs would be seen.
 #[test]

@@ -85,7 +85,7 @@ fn layers_begin_and_end_within_the_span() {
 }
 
 /// The web of the tube stands from 0.1 to 0.9, by the table of its plane; with limits of its own from 0.2
-/// to 0.7; with plies from 0.3 to 0.5 only there. Beyond its ends the shell goes on without it.
+/// to 0.7; with plies from 0.3 to 0.5 only there. Beyond its ends the shell continues without it.
 #[test]
 fn webs_end_before_the_shell() {
     let ply = "thickness: {grid: *ends, values: [0.02, 0.02]}";

@@ -318,16 +318,6 @@ impl Explain for LayupFileProblem {
             Self::Airfoil { .. } => {
                 Some("naca = \"4415\", file = \"airfoil.dat\", or [[shape.airfoils]]".into())
             }
-            Self::OffContour { .. } => Some(
-                "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
-                 along the contour"
-                    .into(),
-            ),
-            Self::Circle { places } => Some(format!(
-                "give \"{}\" by a place of another form, as 0.31, {{ x = 0.3, side = \"suction\" }} or \"nose\"",
-                places.first().map_or("one of them", String::as_str)
-            )),
-            Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
             }
@@ -359,6 +349,26 @@ impl Explain for LayupFileProblem {
                  chord, as 0.3"
                     .into(),
             ),
+            Self::Section { problem, .. } => problem.help(),
+            _ => self.help_of_place(),
+        }
+    }
+}
+
+impl LayupFileProblem {
+    /// The remedy of a problem of places and ranges.
+    fn help_of_place(&self) -> Option<String> {
+        match self {
+            Self::OffContour { .. } => Some(
+                "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
+                 along the contour"
+                    .into(),
+            ),
+            Self::Circle { places } => Some(format!(
+                "give \"{}\" by a place of another form, as 0.31, {{ x = 0.3, side = \"suction\" }} or \"nose\"",
+                places.first().map_or("one of them", String::as_str)
+            )),
+            Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
             Self::Range { .. } => Some(
                 "eta = [0.1, 0.9]; without it, the web or fill has the whole span".into(),
             ),
@@ -368,7 +378,6 @@ impl Explain for LayupFileProblem {
                  is two layers"
                     .into(),
             ),
-            Self::Section { problem, .. } => problem.help(),
             _ => None,
         }
     }

@@ -151,7 +151,7 @@ impl Fade {
                 lean: vec![0.0; 2],
             };
         }
-        // the steps end with the room, beyond which the next corner begins
+        // the steps end where the next corner begins
         let steps = (room * STEPS / length.abs()).ceil().clamp(1.0, MOST as f64);
         let step = (room / steps).min(length.abs() / STEPS);
         let part = (length.abs() / room.max(f64::MIN_POSITIVE)).max(FADE);
