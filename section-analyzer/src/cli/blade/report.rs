@@ -157,7 +157,8 @@ pub(super) fn cut_of_layers<'a>(
         let percent = short((1000.0 * part).round() / 10.0);
         let text = match cause {
             Cause::Cut => format!(
-                "layer \"{layer}\" is cut where both sides meet, by up to {percent} % of its area"
+                "layer \"{layer}\" is cut by up to {percent} % of its area where both sides meet, and behind, \
+                 where the edge is thinner than their first layers"
             ),
             Cause::Less => format!(
                 "layer \"{layer}\" has up to {percent} % less area in its cells than as given, more \

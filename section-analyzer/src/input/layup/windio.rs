@@ -162,7 +162,12 @@ fn blade(
         file,
         shape_line: outer.map_or(1, |outer| outer.line),
     };
-    let layup = seam::with_used_places(layup);
+    let mut layup = seam::with_used_places(layup);
+    // A layup file with such a web is refused.
+    for (line, problem) in layup.idle_webs() {
+        layup.webs.retain(|web| web.line != line);
+        notes.remarks.push(format!("{problem}: it is not meshed"));
+    }
     for (line, problem) in layup.swapped_layers() {
         let location = SourceLocation::line(&layup.file, line);
         let _: Option<()> = notes

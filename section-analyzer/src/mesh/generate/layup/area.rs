@@ -77,7 +77,7 @@ pub(super) fn check(areas: &[LayerArea]) -> Result<(), LayupProblem> {
 }
 
 /// Areas of the layers of the shell on the curved surface, and their parts that are cut where both
-/// sides meet.
+/// sides meet, and behind, where the edge is too thin.
 fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     let [from, to] = if wall.edge.is_ring() {
         [0.0, wall.outline.perimeter()]
@@ -116,6 +116,10 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     if matches!(wall.edge, Edge::Face | Edge::Butt) {
         add_ends(wall, &mut sums);
     }
+    for (layer, area) in behind(wall).into_iter().enumerate() {
+        sums[layer] += area;
+        cut[layer] += area;
+    }
     // a mitre takes of both sides
     for corner in &wall.mitres {
         let mut outer = 0.0;
@@ -128,6 +132,27 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
         add_spar(wall, spar, &mut sums);
     }
     (sums, cut)
+}
+
+/// Areas of the layers along an edge that is too thin for the first of them, thickness times length.
+fn behind(wall: &Wall) -> Vec<f64> {
+    let [first, last] = wall.outline.corners();
+    let mut sums = vec![0.0; wall.stack.len()];
+    for [from, to] in [[first, wall.ends[0]], [wall.ends[1], last]] {
+        let step = (to - from) / SAMPLES as f64;
+        if wall.edge.is_ring() || step <= 0.0 {
+            continue;
+        }
+        for i in 0..SAMPLES {
+            let mut outer = 0.0;
+            let depths = wall.stack.given_depths(from + step * (i as f64 + 0.5));
+            for (sum, inner) in sums.iter_mut().zip(depths) {
+                *sum += (inner - outer) * step;
+                outer = inner;
+            }
+        }
+    }
+    sums
 }
 
 /// Parts of the layers between their ends on the base, which may be oblique, and the normals there: with

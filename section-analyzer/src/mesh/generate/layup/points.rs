@@ -64,6 +64,10 @@ pub(super) fn without_rounding(points: Vec<[f64; 2]>, length: f64) -> Vec<[f64; 
     one_end(one_end(points))
 }
 
+/// Largest distance of the ends of a contour, as a part of its length: one side alone has nearly one, and the
+/// largest wall that may be left out, of a box twice as high as it is wide, a half.
+const LARGEST_BASE: f64 = 0.6;
+
 /// Points without doubled ones, and corners; refuses lists that are no contour.
 pub(super) fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupProblem> {
     let wrong = |why: String| Err(LayupProblem::Contour { why });
@@ -95,17 +99,24 @@ pub(super) fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupPr
             distinct.len()
         ));
     }
+    if let Some([a, b]) = crossing(&distinct) {
+        return wrong(format!(
+            "crosses itself between rows {} and {}",
+            a + 1,
+            b + 1
+        ));
+    }
     let around = || distinct.iter().zip(distinct.iter().cycle().skip(1));
     let area: f64 = around().map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
     if area >= 0.0 {
         let why = "runs counterclockwise, expected from the trailing edge over the suction side";
         return wrong(why.into());
     }
-    if let Some([a, b]) = crossing(&distinct) {
+    let base = distance(distinct[0], distinct[distinct.len() - 1]);
+    if base > LARGEST_BASE * size {
         return wrong(format!(
-            "crosses itself between rows {} and {}",
-            a + 1,
-            b + 1
+            "ends at a distance of {:.2} of its length from its start, expected both sides of the section",
+            base / size
         ));
     }
     Ok([distinct, sharp])
