@@ -1,5 +1,6 @@
 //! Internal forces along blades and lines of beams, as tables that `section-analyzer strength` reads:
-//! a row for each instant and evaluation point, and the envelope over all instants.
+//! a row for each instant and evaluation point, the rows of the instants with an extreme, and the envelope over
+//! all instants.
 //!
 //! All analyses write them in the same way. A table has columns for the instant (time, or step and
 //! factor), the arc position along the undeformed line \[m\], and the internal force \[N, N m\] in
@@ -20,6 +21,7 @@ use envelope::Envelope;
 
 /// Endings of the tables, after the analysis and the member.
 const FORCES: &str = "forces.csv";
+const EXTREMES: &str = "extremes.csv";
 const ENVELOPE: &str = "envelope.csv";
 /// Columns of the internal force and their units.
 const COMPONENTS: [(&str, &str); 6] = [
@@ -47,8 +49,8 @@ pub(super) struct SpanForces {
 /// The table of a blade or line of beams.
 #[derive(Debug)]
 struct MemberForces {
-    /// Ending of the file of its envelope.
-    envelope_ending: String,
+    /// Beginning of the endings of its files.
+    ending: String,
     rows: CsvRows,
     /// Arc position of each point along the undeformed line \[m\].
     arcs: Vec<f64>,
@@ -92,7 +94,7 @@ impl SpanForces {
                 }
             };
             members.push(MemberForces {
-                envelope_ending: format!("{analysis}.{ending}.{ENVELOPE}"),
+                ending: format!("{analysis}.{ending}"),
                 rows,
                 forces: vec![Vector6::zeros(); arcs.len()],
                 arcs,
@@ -109,7 +111,7 @@ impl SpanForces {
 
     /// Removes the tables of earlier runs.
     pub fn remove_files(results: &Results<'_>, analysis: &str) {
-        for ending in [FORCES, ENVELOPE] {
+        for ending in [FORCES, EXTREMES, ENVELOPE] {
             let (first, last) = (format!("{analysis}."), format!(".{ending}"));
             // names of members have no dot
             results.remove_between(&first, &last, |member| !member.contains('.'));
@@ -139,7 +141,7 @@ impl SpanForces {
         Ok(())
     }
 
-    /// Writes the envelopes, and lists all tables.
+    /// Writes the envelopes and the instants of their extremes, and lists all tables.
     ///
     /// # Errors
     /// A table that cannot be written.
@@ -159,9 +161,41 @@ impl SpanForces {
                 cells.extend(numbers(&row.lead[..self.leads.len()]));
                 cells
             });
-            results.text(&member.envelope_ending, &csv_text(&heading, rows))?;
+            let envelope = csv_text(&heading, rows);
+            let extremes = member.extremes(self.leads.len())?;
+            results.text(&format!("{}.{EXTREMES}", member.ending), &extremes)?;
+            results.text(&format!("{}.{ENVELOPE}", member.ending), &envelope)?;
         }
         Ok(())
+    }
+}
+
+impl MemberForces {
+    /// The table of forces without the instants that have no extreme.
+    fn extremes(&self, leads: usize) -> Result<String, RunFileProblem> {
+        let mut lead = vec![0.0; leads];
+        let (mut text, mut before, mut is_extreme) = (String::new(), String::new(), true);
+        self.rows.each_line(&mut |line| {
+            let end = line.match_indices(',').nth(leads - 1).map(|found| found.0);
+            let of_line = &line[..end.unwrap_or(line.len())];
+            // The points of an instant follow each other.
+            if of_line != before {
+                before.clear();
+                before.push_str(of_line);
+                let numbers = of_line.split(',').map(str::parse::<f64>);
+                let mut is_row = true;
+                for (own, found) in lead.iter_mut().zip(numbers) {
+                    is_row &= found.is_ok();
+                    *own = found.unwrap_or_default();
+                }
+                is_extreme = !is_row || self.envelope.has(&lead);
+            }
+            if is_extreme {
+                text.push_str(line);
+                text.push('\n');
+            }
+        })?;
+        Ok(text)
     }
 }
 

@@ -30,7 +30,7 @@ mod histories;
 use histories::Histories;
 
 /// Endings of tables of loads that are not part of their names.
-const TABLES: [&str; 3] = [".forces.csv", ".envelope.csv", ".csv"];
+const TABLES: [&str; 4] = [".forces.csv", ".extremes.csv", ".envelope.csv", ".csv"];
 
 /// A reason for which there are no reserve factors.
 #[derive(Debug, thiserror::Error)]
@@ -113,8 +113,9 @@ fn read_tables(
     let mut wrong = None;
     for (file, name) in files.iter().zip(&names) {
         match read_loads(file, positions) {
-            Ok(SpanLoads { instants, unused }) => {
-                let warnings = coverage::warnings(stations, (&instants, &unused));
+            Ok(found) => {
+                let warnings = coverage::warnings(stations, &found);
+                let SpanLoads { instants, .. } = found;
                 terminal.warn(file, &warnings)?;
                 loads.extend(instants.into_iter().map(|instant| match files.len() {
                     1 => instant,

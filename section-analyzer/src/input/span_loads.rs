@@ -136,6 +136,8 @@ pub struct SpanLoads {
     pub instants: Vec<LoadInstant>,
     /// Headings of the columns that have no effect, without the columns of equilibria.
     pub unused: Vec<String>,
+    /// Whether the positions of a case are of different instants, as of the envelope of a run.
+    pub is_mixed: bool,
 }
 
 /// Reads a table of loads.
@@ -156,7 +158,11 @@ pub fn read_loads(path: &Path, positions: &LoadPositions) -> Result<SpanLoads, D
     }
     let starts = positions.named.iter().map(|(name, _)| start_of(name));
     let unused = table.unused(&starts.collect::<Vec<_>>());
-    Ok(SpanLoads { instants, unused })
+    Ok(SpanLoads {
+        instants,
+        unused,
+        is_mixed: table.is_mixed()?,
+    })
 }
 
 /// The beginning of the names of a group of columns.

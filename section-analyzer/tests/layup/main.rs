@@ -8,6 +8,7 @@ mod bar;
 mod blades;
 mod closed_forms;
 mod command_line;
+mod cut_edges;
 mod edge_webs;
 mod equal;
 mod files;

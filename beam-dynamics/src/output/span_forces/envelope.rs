@@ -80,6 +80,12 @@ impl Envelope {
         }
     }
 
+    /// Whether an extreme of a point is at an instant.
+    pub fn has(&self, lead: &[f64]) -> bool {
+        let mut all = self.extremes.iter().flatten().flatten().flatten();
+        all.any(|at| at.lead[..lead.len()] == *lead)
+    }
+
     /// The rows of the table: all points of each component and end.
     pub fn rows(&self) -> impl Iterator<Item = EnvelopeRow<'_>> {
         let cases = (0..6).flat_map(|component| [(component, 0), (component, 1)]);

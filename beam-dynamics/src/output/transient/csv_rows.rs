@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::fs::{File, OpenOptions};
-use std::io::{Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::problem::RunFileProblem;
@@ -76,6 +76,19 @@ impl CsvRows {
     /// [`RunFileProblem::Unreadable`].
     pub fn content(&self) -> Result<String, RunFileProblem> {
         std::fs::read_to_string(&self.path).map_err(|error| cannot_read(&self.path, &error))
+    }
+
+    /// Shows the lines of the present content to `visit`, one at a time.
+    ///
+    /// # Errors
+    /// [`RunFileProblem::Unreadable`].
+    pub fn each_line(&self, visit: &mut dyn FnMut(&str)) -> Result<(), RunFileProblem> {
+        let unreadable = |error: std::io::Error| cannot_read(&self.path, &error);
+        let file = File::open(&self.path).map_err(unreadable)?;
+        for line in BufReader::new(file).lines() {
+            visit(&line.map_err(unreadable)?);
+        }
+        Ok(())
     }
 
     /// Adds a row, without writing it yet.

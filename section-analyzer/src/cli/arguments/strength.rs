@@ -15,7 +15,7 @@ blade NAME.blade.json beside it. LOADS has internal forces along the blade, abou
   arc [m] or eta; any of case, time, step; axial [N], shear_y [N], ..., bending_z [N m]
                       a row for each position and instant, in any order, as \"beam-dynamics\" writes
                       with span_forces = true in [output]: NAME.ANALYSIS.BLADE.forces.csv, and
-                      the table of extremes NAME.ANALYSIS.BLADE.envelope.csv
+                      the table of the instants of extremes NAME.ANALYSIS.BLADE.extremes.csv
   time [s]; case, member; NAME_axial [N], ..., NAME_bending_z [N m]
                       a row for each time, as \"beam-dynamics transient\" writes; the position
                       of each NAME by --at NAME=ETA

@@ -5,40 +5,44 @@ use std::collections::BTreeMap;
 
 use shared_geom::error::quoted;
 
-use crate::input::span_loads::{ListedStation, LoadInstant};
+use crate::input::span_loads::{ListedStation, LoadInstant, SpanLoads};
 use crate::mesh::short;
 
 /// Largest number of cases or columns in a warning.
 const MOST: usize = 8;
 
 /// The warnings about loads at stations, and about columns that are not used.
-pub(super) fn warnings(
-    stations: &[ListedStation],
-    (loads, unused): (&[LoadInstant], &[String]),
-) -> Vec<String> {
+pub(super) fn warnings(stations: &[ListedStation], found: &SpanLoads) -> Vec<String> {
+    let (loads, unused) = (&found.instants, &found.unused);
     let mut cases: BTreeMap<Option<&str>, Vec<&LoadInstant>> = BTreeMap::new();
     for load in loads {
         cases.entry(load.case.as_deref()).or_default().push(load);
     }
     // the cases of each warning
-    let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut texts_of: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for (case, loads) in &cases {
         let texts = [
             without_force(stations, loads),
             extrapolated(stations, loads),
         ];
         for text in texts.into_iter().flatten() {
-            let known = found.entry(text).or_default();
+            let known = texts_of.entry(text).or_default();
             known.extend(case.map(str::to_owned));
         }
     }
-    let mut all: Vec<String> = found.into_iter().map(of_cases).collect();
+    let mut all: Vec<String> = texts_of.into_iter().map(of_cases).collect();
     if loads
         .iter()
         .flat_map(|load| &load.points)
         .all(|point| point.1.norm() == 0.0)
     {
         all.push("all forces are zero".to_owned());
+    }
+    if found.is_mixed {
+        let text = "positions of one case are of different instants, as in the envelope of a run, so that forces \
+                    between them and beyond are of no instant, and may be larger or smaller than any that acts: the \
+                    .extremes.csv beside it has these instants with all positions";
+        all.push(text.to_owned());
     }
     if !unused.is_empty() {
         all.push(format!("columns that are not used: {}", listed(unused)));

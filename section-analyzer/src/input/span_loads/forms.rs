@@ -1,5 +1,7 @@
 //! The two forms of tables of internal forces, and the beams in them.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector6;
 use shared_geom::error::Diagnostics;
 
@@ -48,6 +50,23 @@ impl LoadTable {
             }
         }
         Ok(instants.found)
+    }
+
+    /// Whether rows of one case are of different instants, by the columns of the envelopes of runs.
+    pub(super) fn is_mixed(&self) -> Result<bool, Diagnostics> {
+        let Some(case) = self.0.find("case")? else {
+            return Ok(false);
+        };
+        let instant = match self.0.find("at_time")? {
+            Some(column) => Some(column),
+            None => self.0.find("at_step")?,
+        };
+        let mut known: BTreeMap<&str, &str> = BTreeMap::new();
+        let mut rows = instant.into_iter().flat_map(|instant| {
+            let cells = self.0.rows.iter().map(|row| &row.cells);
+            cells.map(move |cells| (cells[case].as_str(), cells[instant].as_str()))
+        });
+        Ok(rows.any(|(case, instant)| *known.entry(case).or_insert(instant) != instant))
     }
 
     /// Checks that an instant has no point at `eta`, the position of a row.
