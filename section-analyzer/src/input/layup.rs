@@ -46,7 +46,7 @@ pub use taper::Taper;
 pub(super) use keys::LAYUP_FILE;
 
 use constants::constants;
-use keys::{BLADE_NAME, LAYERS, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
+use keys::{BLADE_NAME, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
 use resolve::Resolver;
 
@@ -259,7 +259,7 @@ fn layers_and_webs(
     root: &Table<'_>,
     known: &Known,
 ) -> (Option<Vec<WrittenLayer>>, Option<Vec<WrittenWeb>>) {
-    let layers = root.each(&LAYERS, |table| known.layers(table));
+    let layers = known.shell(root);
     let webs = root.each(&WEBS, |table| foot::web(known, table));
     let webs = webs.map(|webs| webs.into_iter().unzip());
     let (webs, feet): (_, Option<Vec<Vec<WrittenLayer>>>) = webs.unzip();

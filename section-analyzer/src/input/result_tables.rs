@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
 use serde::Serialize;
 use shared_geom::error::Diagnostics;
 
@@ -74,6 +77,17 @@ pub struct ModeTable {
     pub speeds: Vec<f64>,
     /// The frequency of each row, `None` where the mode does not exist \[Hz\].
     pub frequencies: Vec<Option<f64>>,
+    /// The figures of shapes beside the table, at the first and the last speed that have one.
+    pub shapes: Vec<ShapeFigure>,
+}
+
+/// A figure of the shapes of modes, as `beam-dynamics modes` draws it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShapeFigure {
+    /// The rotor speed, as text in rpm.
+    pub speed: String,
+    /// The SVG file in base64.
+    pub image: String,
 }
 
 /// Reads the table `NAME.strength.csv` of `section-analyzer strength`.
@@ -143,6 +157,7 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
         names: Vec::new(),
         speeds: Vec::new(),
         frequencies: Vec::new(),
+        shapes: shapes_beside(path),
     };
     for row in &table.rows {
         modes.speeds.push(table.number_or_infinity(row, speed)?);
@@ -155,4 +170,42 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
         modes.rows.push(row.cells.clone());
     }
     Ok(modes)
+}
+
+/// The figures `NAME.shapes_at_RPM_rpm.svg` beside the table of the same name: the ones of the first and of the
+/// last speed. None if there are none, or if they cannot be read.
+fn shapes_beside(table: &Path) -> Vec<ShapeFigure> {
+    let file = table.file_name().unwrap_or_default().to_string_lossy();
+    let name = [".modes.csv", ".frequencies.csv"]
+        .iter()
+        .find_map(|end| file.strip_suffix(end));
+    let folder = table
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let entries = std::fs::read_dir(folder.unwrap_or(Path::new(".")));
+    let (Some(name), Ok(entries)) = (name, entries) else {
+        return Vec::new();
+    };
+    let begin = format!("{name}.shapes_at_");
+    let files = entries.filter_map(|entry| {
+        let path = entry.ok()?.path();
+        let file = path.file_name()?.to_string_lossy().into_owned();
+        let speed = file
+            .strip_prefix(&begin)?
+            .strip_suffix("_rpm.svg")?
+            .to_owned();
+        Some((speed.parse::<f64>().ok()?, speed, path))
+    });
+    let mut files: Vec<_> = files.collect();
+    files.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let last = files.len().saturating_sub(1);
+    let ends = files
+        .into_iter()
+        .enumerate()
+        .filter(|(i, _)| [0, last].contains(i));
+    let figure = |(_, (_, speed, path))| {
+        let image = STANDARD.encode(std::fs::read::<std::path::PathBuf>(path).ok()?);
+        Some(ShapeFigure { speed, image })
+    };
+    ends.filter_map(figure).collect()
 }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use section_analyzer::input::result_tables::{read_modes, read_reserves};
 use serde_json::Value;
 
@@ -190,6 +192,7 @@ fn matrices_have_the_orders_of_programs_and_another_blade_is_beside() {
         assert!(aspect >= 1.0 && least > 0.0 && least <= 90.0 && (60.0..=180.0).contains(&most));
         assert!(jacobian > 0.0 && jacobian <= 1.0);
     }
+    open_in_browser(&workplace.path(REPORT));
     assert_eq!(data["other"]["name"], "b");
     for values in data["other"]["values"].as_array().unwrap() {
         assert_eq!(values[0], values[1]);
@@ -361,6 +364,33 @@ fn reserves(data: &Value) -> BTreeMap<(String, String), f64> {
     .collect()
 }
 
+/// Writes figures of shapes at three speeds.
+fn write_shapes(workplace: &Workplace) {
+    for rpm in ["0", "50", "100"] {
+        let circle = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 9 9\"><text>{rpm}</text></svg>"
+        );
+        workplace.write(&format!("a.shapes_at_{rpm}_rpm.svg"), &circle);
+    }
+}
+
+/// The figures at the first and the last speed are in the report, byte by byte.
+fn check_shapes(workplace: &Workplace, shown: &Value) {
+    let shapes = shown["modes"]["shapes"].as_array().unwrap();
+    let speeds: Vec<&str> = shapes
+        .iter()
+        .map(|one| one["speed"].as_str().unwrap())
+        .collect();
+    assert_eq!(speeds, ["0", "100"]);
+    let image = STANDARD
+        .decode(shapes[1]["image"].as_str().unwrap())
+        .unwrap();
+    assert_eq!(
+        image,
+        workplace.read("a.shapes_at_100_rpm.svg").into_bytes()
+    );
+}
+
 /// Reserve factors are the ones of `strength`, until a section is solved again; modes the ones of
 /// their file, and a wrong file is refused before a section is solved.
 #[test]
@@ -373,10 +403,12 @@ fn strengths_and_modes_are_shown_if_they_are_given() {
     assert_eq!(run.code, 0, "{}", run.err);
     let table = "rotor_speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,2.5\n100,1,flap 1,3.5\n";
     workplace.write("a.modes.csv", table);
+    write_shapes(&workplace);
     let with_modes = [&options[..], &["--modes", "a.modes.csv"]].concat();
     assert_eq!(blade(&workplace, &with_modes).code, 0);
     let shown = data(&workplace);
     assert_eq!(shown["modes"]["frequencies"], serde_json::json!([2.5, 3.5]));
+    check_shapes(&workplace, &shown);
     let found = reserves(&shown);
     let strength = workplace.read("b/a.strength.csv");
     assert_eq!(found.len(), strength.lines().count() - 1);

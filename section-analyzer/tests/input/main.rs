@@ -7,6 +7,7 @@
 mod electrodes;
 mod follow;
 mod laminae;
+mod layup_schema;
 mod mesh_files;
 mod models;
 mod moved_nodes;

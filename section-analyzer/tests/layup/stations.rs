@@ -68,12 +68,11 @@ fn differences(layup: &Layup, station: &Value, sources: [&str; 2]) -> [[f64; 5];
     })
 }
 
-/// Areas of the layers are within 0.5 % at 74 of the 76 stations. At IEA-15 0.4 a layer of the trailing
-/// edge has 0.62 % less: a contact cuts it between two stations of the mesh. The tip of IEA-10 is refused
-/// by the name of a layer: walls of 14 mm in a nose of 2 mm.
+/// Areas of the layers are within 0.5 % at 75 of the 76 stations. The tip of IEA-10 is refused by the name of a
+/// layer: walls of 14 mm in a nose of 2 mm.
 #[test]
 fn all_stations_of_public_blades_are_meshed() {
-    let mut counts = [0, 0, 0];
+    let mut counts = [0, 0];
     for [name, file] in BLADES {
         let layup = blade(file);
         for station in stations(name) {
@@ -83,27 +82,32 @@ fn all_stations_of_public_blades_are_meshed() {
                     println!("{name} {eta}: {problem}");
                     assert!(problem.contains("layer \""), "{problem}");
                     assert!((name, eta) == ("iea10", 1.0), "{name} {eta}: {problem}");
-                    counts[2] += 1;
+                    counts[1] += 1;
                 }
                 Ok((layer, error)) => {
                     println!("{name} {eta}: {layer} {:.3} %", 100.0 * error);
-                    assert!(error.abs() < 7e-3, "{name} {eta}: {layer} {error}");
-                    counts[usize::from(error.abs() > 5e-3)] += 1;
+                    assert!(error.abs() < 5e-3, "{name} {eta}: {layer} {error}");
+                    counts[0] += 1;
                 }
             }
         }
     }
-    assert!(counts[0] >= 74 && counts[2] == 1, "{counts:?}");
+    assert_eq!(counts, [75, 1]);
 }
 
 /// At 101 positions of IEA-15 and IEA-3.4, areas of layers of more than 1 % of the section, without the part
 /// that contacts cut, with the oblique ends of the layers on the base (which were up to 3.7 % of a
-/// reinforcement of the trailing edge). All of IEA-3.4 are within 0.5 %, and 78 positions of IEA-15: from 0.43
-/// to 0.47 and at 0.13 and 0.14 the innermost layer closes the edge and has up to 2.1 % more; from 0.21 to 0.42
-/// the reinforcements of both sides meet in a ramp on the base, one has 0.7 % more and the other one less.
+/// reinforcement of the trailing edge). All of IEA-3.4 are within 0.5 %, and 93 positions of IEA-15.
+///
+/// From 0.43 to 0.47 the reinforcements of the trailing edge have up to 2.1 % more, and this is as it must be:
+/// the base there is longer than the layers of both sides together, and too short for a wall of them with
+/// mitres, which needs 1.1 times their lengths. Both sides meet in the middle of the base, and the innermost
+/// layers fill the gap, of at most a tenth of the base, that is left between them. It shrinks with the base, from
+/// 2.1 % at 0.43, where the wall ends, to nothing at 0.48. At 0.13, 0.14 and 0.65, up to 0.8 %, a contact
+/// begins between two stations of the mesh.
 #[test]
 fn areas_between_the_stations_are_those_of_the_layers() {
-    for (file, most) in [("windio1_iea15", 23), ("windio2_iea34", 0)] {
+    for (file, most) in [("windio1_iea15", 8), ("windio2_iea34", 0)] {
         let layup = blade(file);
         let mut beyond = Vec::new();
         for i in 0..=100 {

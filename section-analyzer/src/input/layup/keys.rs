@@ -1,10 +1,10 @@
 //! The keys of layup files.
 
 use shared_geom::document::schema::ValueKind::{
-    Boolean, FreeMatrix, NamedTables, NotNegative, Numbers, Positive, Quantities, Quantity,
+    Boolean, FreeMatrix, Lines, NamedTables, NotNegative, Numbers, Positive, Quantities, Quantity,
     Table as OneTable, Tables, Text, Word,
 };
-use shared_geom::document::schema::{Family, TableSchema, UNITS};
+use shared_geom::document::schema::{Family, TableSchema, UNITS, ValueKind};
 use shared_geom::document::{ByHand, Nested, NestedByName, NestedList};
 use shared_geom::keys;
 use shared_geom::units::Dimension;
@@ -19,6 +19,9 @@ use super::fills::FillBound;
 use super::line::LINE_OF_LAYUP;
 use super::place::{AT_EDGE, BOTH, BothSides, PLACE, Place};
 use super::taper::{Profile, Taper};
+
+/// An empty list of tables.
+const NONE: ValueKind = ValueKind::Rows(0, 0);
 
 keys! {
     /// The layup of a blade, or of one section: its shape, layers, webs and materials.
@@ -36,9 +39,9 @@ keys! {
     /// Places on the contour by name, for `from`, `to` and webs.
     pub(super) PLACES: NestedByName = "place", [NamedTables(&PLACE)], optional, "";
     /// The webs.
-    pub(super) WEBS: NestedList = "web", [Tables(&WEB)], optional, "";
+    pub(super) WEBS: NestedList = "web", [Tables(&WEB), NONE], optional, "";
     /// Materials that fill the spaces between shell and webs.
-    pub(super) FILLS: NestedList = "fill", [Tables(&FILL)], optional, "";
+    pub(super) FILLS: NestedList = "fill", [Tables(&FILL), NONE], optional, "";
     /// Adhesive between both sides at the trailing edge.
     pub(super) EDGE: Nested = "trailing_edge", [OneTable(&EDGE_TABLE)], optional, "";
     /// The reference line of the blade, on which the origins of the sections are; its length is the
@@ -217,7 +220,7 @@ keys! {
         "\"0.8 m\"";
     /// Rows of a part of its width, ascending from 0 to 1, and a part of its thickness, with straight
     /// lines between them.
-    pub(super) PROFILE: Option<Profile> = "profile", [FreeMatrix], optional,
+    pub(super) PROFILE: Option<Profile> = "profile", [Lines(2)], optional,
         "[[0, 0], [0.2, 1], [1, 1]]";
     /// The web without plies of its own along which it continues, with mitres at both ends: a spar
     /// around the nose. `from` and `to` are then the places of the web, if not given.
@@ -263,8 +266,8 @@ keys! {
         "{ x = 0.3 }";
     /// First and last position along the span.
     pub(super) RANGE: ByHand = "eta", [Numbers(2)], or "[0, 1]", "[0.08, 0.95]";
-    /// Its plies, from the leading edge aft; each is a layer without places.
-    pub(super) PLIES: NestedList = "plies", [Tables(&PLY)] as "a list of plies", required, "";
+    /// Its plies, from the leading edge aft; each is a layer without places. None for the web of a spar.
+    pub(super) PLIES: NestedList = "plies", [Tables(&PLY), NONE] as "a list of plies", required, "";
     /// Flanges and bond lines on both sides: layers inside of all others.
     pub(super) FOOT: Nested = "foot", [OneTable(&FOOT_TABLE)], optional, "";
 }

@@ -6,9 +6,9 @@ use shared_geom::units::Dimension;
 use super::course::Course;
 use super::fills::WrittenFill;
 use super::keys::{
-    AFT_OF, AHEAD_OF, ANGLES, AROUND, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, MATERIAL, NAME,
-    PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROUND, SUCTION, TAPER, THICKNESS,
-    TO, TOWARD, WEB_NAME, WEB_OF_LAYER, WIDTH,
+    AFT_OF, AHEAD_OF, ANGLES, AROUND, COUNT, FIBER_ANGLE, FILL_FIBER_ANGLE, FROM, LAYERS, MATERIAL,
+    NAME, PLANE_ANGLE, PLANE_OF_WEB, PLIES, PRESSURE, PROFILE, RANGE, ROUND, SUCTION, TAPER,
+    THICKNESS, TO, TOWARD, WEB_NAME, WEB_OF_LAYER, WIDTH,
 };
 use super::place::{Place, SIDES};
 use super::problem::LayupFileProblem;
@@ -70,8 +70,18 @@ impl Known {
         Self { names, plies }
     }
 
+    /// The layers of the shell, each with its plies; notes problems.
+    pub fn shell(&self, root: &Table<'_>) -> Option<Vec<Vec<WrittenLayer>>> {
+        let layers = root.each(&LAYERS, |table| self.layers(table));
+        let is_none = layers.as_ref().is_some_and(Vec::is_empty) && root.is_list(&LAYERS);
+        if is_none {
+            root.wrong(&LAYERS, &LAYERS.schema.expected());
+        }
+        layers
+    }
+
     /// A layer of the shell, or each of its plies; notes problems.
-    pub fn layers(&self, table: &Table<'_>) -> Option<Vec<WrittenLayer>> {
+    fn layers(&self, table: &Table<'_>) -> Option<Vec<WrittenLayer>> {
         let name = table.get(&NAME);
         let places = (table.get(&FROM), table.get(&TO));
         let (taper, toward) = (table.get(&TAPER), table.get(&TOWARD));

@@ -64,7 +64,7 @@ function spanPlots() {
   const own = data.other ? data.blade.name : "";
   const all = [
     ["mass", "kg/m", [[own, values((one) => one.mass[0][0])], ...beside("", 0)]],
-    ["EA", "N", [["", values((one) => one.free_stiffness[0])]]],
+    ["EA", "N", data.other ? [[own, data.other.values.map(([numbers]) => numbers[1])], ...beside("", 1)] : [["", values((one) => one.free_stiffness[0])]]],
     ["EI", "N m\u00b2", [["flap", values((one) => one.bending[0])], ["edge", values((one) => one.bending[1])], ...beside(" flap", 2), ...beside(" edge", 3)]],
     ["GJ", "N m\u00b2", [[own, values((one) => one.free_stiffness[3])], ...beside("", 4)]],
     ["GA", "N", [["along y", values((one) => one.free_stiffness[1])], ["along z", values((one) => one.free_stiffness[2])]]],

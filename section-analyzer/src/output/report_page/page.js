@@ -113,6 +113,12 @@ function showModes() {
     const curves = names.map((name) => [name, speeds.map((speed) => at(name, speed))]);
     byId("mode-plot").replaceChildren(plot({ title: "frequencies", unit: "Hz", across: "rotor speed [rpm]", x: speeds, curves, wide: { width: 640, height: 340 } }).figure);
   }
+  const figures = modes.shapes.map(({ speed, image }) => {
+    const picture = element("img", { alt: `Shapes of the lowest modes along the blade at ${speed} rpm` });
+    picture.src = `data:image/svg+xml;base64,${image}`;
+    return element("figure", {}, element("figcaption", {}, `shapes of the lowest modes at ${speed} rpm`), picture);
+  });
+  byId("mode-shapes").replaceChildren(...figures);
   const shown = (text) => (text !== "" && Number.isFinite(Number(text)) ? digits(Number(text)) : text);
   byId("mode-table").replaceChildren(table(`Modes of ${modes.file}`, modes.columns.map((name, j) => [name, (row) => shown(row[j])]), modes.rows));
 }

@@ -193,6 +193,18 @@ function checkAccess() {
   check([...curves].every((one) => one.getAttribute("points").split(" ").length === stations.length || data.reserves.length > 0), "a curve without all stations");
   check(curves.length >= 14, `${curves.length} curves`);
 }
+// Shapes of modes are pictures with a description; another blade has a curve in each plot of its quantities.
+function checkBeside() {
+  const pictures = [...byId("mode-shapes").querySelectorAll("img")];
+  check(pictures.length === (data.modes ? data.modes.shapes.length : 0), `${pictures.length} pictures of shapes`);
+  check(pictures.every((one) => one.src.startsWith("data:image/svg+xml;base64,") && one.alt.includes("rpm")), "a picture of shapes without content or description");
+  if (!data.other) return;
+  const labels = [...byId("plots").querySelectorAll("svg")].map((one) => one.getAttribute("aria-label"));
+  for (const title of ["mass", "EA", "EI", "GJ"]) {
+    const found = labels.find((text) => text.startsWith(`${title} [`));
+    check(found && found.includes(data.other.name), `no curve of ${data.other.name} in the plot of ${title}`);
+  }
+}
 try {
   stations.forEach((_, i) => {
     select(i);
@@ -205,6 +217,7 @@ try {
   checkSamples(check, data.samples ?? []);
   checkKeys();
   checkAccess();
+  checkBeside();
 } catch (error) {
   failures.push(`error: ${error.message}`);
 }

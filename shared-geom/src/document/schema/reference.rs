@@ -89,6 +89,7 @@ fn words(kind: &ValueKind) -> String {
         ValueKind::Count(usize::MAX) => "whole number of at least 1".to_owned(),
         ValueKind::Count(most) => format!("whole number from 1 to {most}"),
         ValueKind::Numbers(most) => format!("1 to {most} numbers"),
+        ValueKind::Rows(0, _) => "`[]`".to_owned(),
         ValueKind::Rows(rows, columns) => format!("{rows} rows of {columns} numbers"),
         ValueKind::Lines(0) => "rows of numbers".to_owned(),
         ValueKind::Lines(columns) => format!("rows of {columns} numbers"),
