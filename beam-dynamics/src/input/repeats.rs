@@ -11,10 +11,13 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::Vector3;
 use shared_geom::error::Explain;
 
 use super::short_number;
+use crate::assembly::Residual;
 use crate::case::{Model, PeriodicSettings};
+use crate::model::{Name, State};
 
 /// Parts of the period at which the model is compared: no common fractions, where drives of several times
 /// the frequency vanish.
@@ -64,52 +67,85 @@ impl Explain for NotRepeated {
     fn help(&self) -> Option<String> {
         Some(
             "the period must be a whole number of periods of all drives, angles and winds: compare their \
-             speeds with [periodic], and let ramps end before \"from\""
+             speeds with [periodic], with all digits, and let ramps end before \"from\""
                 .to_owned(),
         )
     }
 }
 
+/// Speeds and turns of nodes of the second state \[m/s, rad/s\], and its scalars \[their units\].
+const MOTION: [f64; 3] = [7.0, 3.0, 0.7];
+/// Distance from the end of a period within which a corner is at its end, as a part of it.
+const AT_END: f64 = 1e-6;
+
 /// The equation that changes most over a period, relative to its change within the period, if it is not the
-/// same.
+/// same at the undeformed state, or at one in motion with scalars other than zero, where drives act that
+/// are multiplied by controls and sensed quantities or need a flow.
+///
+/// Tables of one period that end where they begin repeat: they are compared at the ends of the period only.
 pub(super) fn problem(model: &Model, settings: &PeriodicSettings) -> Option<NotRepeated> {
-    let system = &model.system;
-    let rest = system.rest();
-    let residual = |time: f64| system.residual(&rest, &model.conditions_at(time));
-    let times = PARTS.map(|part| settings.start.from + part * settings.period);
-    let pairs = times.map(|time| [residual(time), residual(time + settings.period)]);
-    let equations = pairs[0][0].values.len();
-    let mut sizes: BTreeMap<String, f64> = BTreeMap::new();
-    let names: Vec<_> = (0..equations).map(|index| system.equation(index)).collect();
-    for one in pairs.iter().flatten() {
-        for (name, (size, value)) in names.iter().zip(one.sizes.iter().zip(&one.values)) {
-            let of_unit = sizes
-                .entry(name.unit.to_string())
-                .or_insert(NOTHING / ROUND_OFF);
-            *of_unit = of_unit.max(*size).max(value.abs());
-        }
+    let rest = model.system.rest();
+    let mut moving = rest.clone();
+    let mut number = 0.0_f64;
+    let mut next = || {
+        number += 1.0;
+        // Between 0.5 and 1.5, all different.
+        0.5 + (0.618_034 * number).fract()
+    };
+    for node in &mut moving.nodes {
+        node.velocity = Vector3::from_fn(|_, _| MOTION[0] * next());
+        node.angular_velocity = Vector3::from_fn(|_, _| MOTION[1] * next());
     }
+    for scalar in &mut moving.scalars {
+        *scalar = MOTION[2] * next();
+    }
+    changed(model, settings, &rest).or_else(|| changed(model, settings, &moving))
+}
+
+/// Whether the last corner of all drives is the end of the period.
+fn ends_with_period(model: &Model, [from, period]: [f64; 2]) -> bool {
+    let end = from + period;
+    let is_at_end = |time: f64| (time - end).abs() <= AT_END * period;
+    is_at_end(model.next_corner(end - 2.0 * AT_END * period))
+        && model.next_corner(end + 2.0 * AT_END * period) > end + period
+}
+
+/// The equation that changes most at a state.
+fn changed(model: &Model, settings: &PeriodicSettings, state: &State) -> Option<NotRepeated> {
+    let system = &model.system;
+    let span = [settings.start.from, settings.period];
+    let residual = |time: f64| system.residual(state, &model.conditions_at(time));
+    let times = PARTS.map(|part| span[0] + part * span[1]);
+    let pairs = times.map(|time| [residual(time), residual(time + span[1])]);
+    let names: Vec<_> = (0..pairs[0][0].values.len())
+        .map(|index| system.equation(index))
+        .collect();
+    let sizes = sizes(&names, &pairs);
+    let compared = if ends_with_period(model, span) {
+        1
+    } else {
+        PARTS.len()
+    };
     let mut worst: Option<(f64, NotRepeated)> = None;
-    for index in 0..equations {
+    for (index, name) in names.iter().enumerate() {
         let value = |pair: usize, side: usize| pairs[pair][side].values[index];
-        let sides = |pair: usize| [value(pair, 0), value(pair, 1)];
-        let all = (0..PARTS.len()).flat_map(sides);
+        let all = (0..PARTS.len()).flat_map(|pair| [value(pair, 0), value(pair, 1)]);
+        let all = all.filter(|value| value.is_finite());
         let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
             (low.min(value), high.max(value))
         });
         let within = high - low;
-        let change = |pair: usize| (value(pair, 1) - value(pair, 0)).abs();
-        let changes = (0..PARTS.len()).map(|pair| (pair, change(pair)));
+        // Tables without a value after their end are compared at the ends of the period.
+        let changes = (0..compared).map(|pair| (pair, (value(pair, 1) - value(pair, 0)).abs()));
+        let changes = changes.filter(|(_, change)| change.is_finite());
         let Some((pair, change)) = changes.max_by(|a, b| a.1.total_cmp(&b.1)) else {
             continue;
         };
-        let part = change / within;
-        // Also numbers that are not finite.
-        let name = &names[index];
         let size = sizes.get(name.unit.as_ref()).copied().unwrap_or_default();
-        if !(change > SAME * within && change > ROUND_OFF * size) {
+        if change <= SAME * within || change <= ROUND_OFF * size {
             continue;
         }
+        let part = change / within;
         if worst.as_ref().is_none_or(|(before, _)| part > *before) {
             let found = NotRepeated {
                 period: settings.period,
@@ -123,4 +159,23 @@ pub(super) fn problem(model: &Model, settings: &PeriodicSettings) -> Option<NotR
         }
     }
     worst.map(|(_, found)| found)
+}
+
+/// The largest finite terms of the equations of each unit.
+fn sizes(names: &[Name], pairs: &[[Residual; 2]]) -> BTreeMap<String, f64> {
+    let mut sizes = BTreeMap::new();
+    for one in pairs.iter().flatten() {
+        for (name, (size, value)) in names.iter().zip(one.sizes.iter().zip(&one.values)) {
+            let of_unit = sizes
+                .entry(name.unit.to_string())
+                .or_insert(NOTHING / ROUND_OFF);
+            for number in [*size, value.abs()]
+                .into_iter()
+                .filter(|own| own.is_finite())
+            {
+                *of_unit = number.max(*of_unit);
+            }
+        }
+    }
+    sizes
 }

@@ -15,7 +15,8 @@
 //! method, because the motion follows them later, and J holds up to stall only.
 //!
 //! The controls do not rest, and keep weakly damped motions of the blades alive. Where the change of the
-//! motion no longer falls, Newton's method finds the end. Where the march fails, or does not meet the
+//! motion no longer falls, or a period with constant controls does not meet the targets, Newton's method finds
+//! the end. Where the march fails, or does not meet the
 //! targets, it begins again at the start, with targets that grow if needed.
 
 use nalgebra::{DMatrix, DVector};
@@ -138,9 +139,18 @@ fn march(
             part: 1.0,
             reached: border.reached(&end),
         });
-        let first = std::mem::replace(state, end);
+        *state = end;
         if part <= settings.tolerance {
-            return Ok([first, state.clone()]);
+            // The controls of a harmonic of one blade change within a revolution: the trim is the one of
+            // constant controls.
+            border.begin(state);
+            let end = flow.run(state, &mut |_| true)?;
+            let (_, (_, held)) = shooting.residual(state, (&end, map.algebraic()), &rows);
+            if held <= settings.tolerance {
+                return Ok([state.clone(), end]);
+            }
+            let orbit = shooting.solve(flow, state, passes)?;
+            return Ok([orbit.state, orbit.end]);
         }
         if is_slow(passes.list()) && border.at_bound(state).is_none() {
             let orbit = shooting.solve(flow, state, passes)?;

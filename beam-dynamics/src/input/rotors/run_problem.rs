@@ -21,8 +21,8 @@ pub enum RotorRunProblem {
     #[error(
         "rotor \"{name}\" turns {} times in the period of {} s of [periodic], expected a whole number \
          of turns",
-        short_number(*.turns, 6),
-        short_number(*.period, 6)
+        short_number(*.turns, 9),
+        short_number(*.period, 9)
     )]
     Period {
         /// Name of the rotor.
@@ -61,7 +61,7 @@ impl Explain for RotorRunProblem {
                  motion in time from start = \"given\""
             }
             Self::Period { .. } => {
-                "give [periodic] the \"speed\" of the rotor, or the common period of all rotors"
+                "give [periodic] the \"speed\" of the rotor with the same digits, or the common period of all rotors"
             }
             Self::FirstInstant { turn, .. } => {
                 return Some(format!(

@@ -63,6 +63,30 @@ fn models_repeat_after_the_period() {
             "{case}: {found}"
         );
     }
+    // Products with a sensed quantity, which is zero at rest.
+    let sensed = |frequency: &str| {
+        format!(
+            "{mass}[sensors.x]\nquantity = \"position\"\nof = \"mass\"\ncomponent = \"x\"\n\
+             [[load]]\nnode = \"mass\"\nforce = [3, 0, 0]\ndrive = \"= x*sin({frequency}*t)\"\n\
+             [periodic]\nperiod = \"{:?} s\"\n",
+            std::f64::consts::TAU
+        )
+    };
+    parse(&sensed("2"), "m.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+    assert!(refused(&sensed("2.5")).contains("the force balance along x"));
+    // Tables of one period, with and without values after it; one that ends elsewhere than it begins.
+    let table = |last: f64, outside: &str| {
+        format!(
+            "{mass}[[load]]\nnode = \"mass\"\nforce = [3, 0, 0]\n\
+             drive = {{ kind = \"table\", rows = [[0, 1], [0.4, 3], [1, {last:?}]]{outside} }}\n\
+             [periodic]\nperiod = 1\n"
+        )
+    };
+    for outside in ["", ", outside = \"hold\""] {
+        let sound = table(1.0, outside);
+        parse(&sound, "m.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}\n{sound}"));
+        assert!(refused(&table(2.0, outside)).contains("the force balance along x"));
+    }
     // The angle of a rotor.
     let angle = |period: &str| {
         let speed = format!("[periodic]\nspeed = {period}\n");
