@@ -14,7 +14,7 @@
 use faer::Mat;
 use nalgebra::{Complex, DMatrix};
 
-use crate::analysis::averaged::{Averaged, averaged};
+use crate::analysis::averaged::{Air, Averaged, averaged};
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{NoEquilibrium, equilibrium, free_equilibrium, rpm};
 use crate::analysis::trim::{Reader, trim};
@@ -179,7 +179,8 @@ fn of_period(input: &Input) -> Result<LinearModel, LinearFailure> {
         ]));
     }
     let state = outcome.state.ok_or(LinearFailure::NotRequested)?;
-    let averaged = averaged(&input.model, periodic, &state).map_err(LinearFailure::Period)?;
+    let averaged =
+        averaged(&input.model, periodic, &state, Air::With).map_err(LinearFailure::Period)?;
     let speed = periodic.speed.unwrap_or(0.0);
     of(&Operation {
         model: &averaged.model,
