@@ -83,9 +83,7 @@ impl LinearFailure {
                 "use fewer elements, or one blade; modes and stability have no such limit"
             }
             Self::Undetermined(_) => {
-                "give it mass or stiffness, or remove joints that hold the same motion twice; sections \
-                 whose moments of inertia are very small have reactions of this kind too: let \"iy\" and \
-                 \"iz\" be 0, or use modes or stability, which do not choose states"
+                "give it mass or stiffness, or remove joints that hold the same motion twice"
             }
             Self::Jump(_) => "let an [[actuator]] follow it, and use the name of the actuator",
             Self::NotFinite => "change the laws or the loads so that they have slopes there",
