@@ -39,7 +39,11 @@ const OF_AIR: &str = "aerodynamic";
 /// its modes without air, and whether the air has states.
 pub(super) fn named(mut roots: Vec<StabilityRoot>, vacuum: Vacuum) -> Vec<StabilityRoot> {
     give_names(&mut roots, vacuum);
-    roots.iter_mut().for_each(|root| root.is_named = true);
+    let is_same = |a: &StabilityRoot, b: &StabilityRoot| is_alike(a, b) && a.number == b.number;
+    let is_once = |root: &StabilityRoot| roots.iter().filter(|own| is_same(own, root)).count() == 1;
+    let once: Vec<_> = roots.iter().map(is_once).collect();
+    let both = roots.iter_mut().zip(once);
+    both.for_each(|(root, is_once)| root.is_named = is_once);
     roots
 }
 
@@ -124,10 +128,13 @@ fn assigned(
     mode_of
 }
 
-/// Gives the name of a mode to a root.
+/// Gives the name of a mode to a root. A root without one pattern has its frequency in the axes of the blades, and no
+/// pattern in its name.
 fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
     root.name.clone_from(&mode.name);
-    root.pattern.clone_from(&mode.pattern);
+    if root.pattern.as_deref() != Some("") {
+        root.pattern.clone_from(&mode.pattern);
+    }
     root.number = mode.number;
 }
 
