@@ -29,7 +29,7 @@ pub use factors::Factors;
 pub use frequencies::highest_of_a_node;
 pub use motion::{MassMatrix, ModeMotion};
 pub use multiblade::Rotor;
-pub use separation::{align, separate};
+pub use separation::{align, separate, separate_by, separate_patterns};
 pub use shaft::shaft_whirl;
 pub use tracking::{assurances, closeness, follow};
 pub use with_air::half_air;

@@ -40,6 +40,8 @@ pub use trim::{TrimPoint, TrimResult};
 
 /// Least share of the kinetic energy for which a mode is named by one kind.
 const PURE_SHARE: f64 = 0.6;
+/// Least share of the kinetic energy that is most of it.
+const MOST: f64 = 0.5;
 
 /// The dominant motion of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -77,11 +79,27 @@ impl ModeKind {
         }
     }
 
+    /// The kind that holds most of the energy.
+    pub fn main(shares: &Shares) -> Self {
+        let pure = Self::PURE.into_iter().zip(shares);
+        let most = pure.max_by(|a, b| a.1.total_cmp(b.1));
+        most.map_or(Self::Coupled, |(kind, _)| kind)
+    }
+
     /// The kind of the tower, if motion fore-aft and from side to side of the parts outside the blades
     /// holds most of the energy.
     pub fn of_tower([fore_aft, side]: [f64; 2]) -> Option<Self> {
-        let is_tower = fore_aft + side >= PURE_SHARE;
-        is_tower.then_some(match fore_aft > side {
+        Self::of_tower_from([fore_aft, side], PURE_SHARE)
+    }
+
+    /// The same if this motion holds half of the energy or more.
+    pub fn main_of_tower(shares: [f64; 2]) -> Option<Self> {
+        Self::of_tower_from(shares, MOST)
+    }
+
+    /// The kind of the tower, if motion fore-aft and from side to side has the share `least`.
+    fn of_tower_from([fore_aft, side]: [f64; 2], least: f64) -> Option<Self> {
+        (fore_aft + side >= least).then_some(match fore_aft > side {
             true => Self::ForeAft,
             false => Self::SideSide,
         })
@@ -176,7 +194,7 @@ impl Whirl {
 
     /// Frequency in the fixed system of a mode of `frequency` in the turning axes at a
     /// rotor speed, both [Hz], `|f + h n|`, and its direction around the rotor; collective and
-    /// differential modes keep their frequency and have no direction.
+    /// differential modes keep their frequency and have no direction, see [`Self::is_double`] of two blades.
     pub fn in_fixed_system(&self, frequency: f64, speed: f64) -> (f64, Option<Direction>) {
         let seen = self.signed_in_fixed_system(frequency, speed);
         if !self.has_direction() {
@@ -219,6 +237,12 @@ impl Whirl {
         self.share >= PURE_SHARE
     }
 
+    /// Whether it is the one of two blades that move against each other, as in teetering: a wave that runs
+    /// forward and one that runs backward, with two frequencies in the fixed system, `f + n` and `|f - n|`.
+    pub fn is_double(&self) -> bool {
+        self.blades == 2 && self.harmonic == 1
+    }
+
     /// Whether the pattern runs around the rotor.
     pub fn has_direction(&self) -> bool {
         let waves = self.harmonic.unsigned_abs() as usize;
@@ -259,6 +283,16 @@ impl ModePoint {
             Some(kind) => kind,
             None if self.lateral >= PURE_SHARE => ModeKind::Lateral,
             None => ModeKind::of(&self.shares),
+        }
+    }
+
+    /// The kind with most of the energy at this speed: where two modes exchange their shapes, one of them has
+    /// it at every speed.
+    pub fn main_kind(&self) -> ModeKind {
+        match ModeKind::main_of_tower(self.tower) {
+            Some(kind) => kind,
+            None if self.lateral >= MOST => ModeKind::Lateral,
+            None => ModeKind::main(&self.shares),
         }
     }
 }

@@ -13,25 +13,25 @@
 //! ```
 //!
 //! As many x2 as L has rank follow from the second and are eliminated; the equations that remain have
-//! none, `G x1 = 0`. They are kept as constraints, and their rates
+//! none, `G x1 = 0`. They leave some x1 free, z, by which the others are known,
 //!
 //! ```text
-//! 0 = G A x1 + G N x2 + G B u                                                      (D-335)
+//! x1 = T z ,     x1' = T z'                                                        (D-335)
 //! ```
 //!
-//! take their place, until no x2 is left. The states are the x1 that the constraints leave free. An
-//! input in a constraint would act by its derivatives: it is refused.
+//! and the same is done with the equations of z and the remaining x2, until no x2 is left. The states are the
+//! last z. An input in a constraint would act by its derivatives: it is refused.
 //!
 //! Rows, columns and inputs are scaled by powers of two, and time by a given rate.
 
 mod elimination;
 mod free;
+mod graded;
 mod ranked;
 mod scaled;
 mod system;
 
 use elimination::Elimination;
-use free::Free;
 use scaled::Scaled;
 pub use system::{Descriptor, DescriptorState, Minimal, NotMinimal};
 
@@ -41,17 +41,9 @@ pub use system::{Descriptor, DescriptorState, Minimal, NotMinimal};
 /// [`NotMinimal`].
 pub fn minimal(system: &Descriptor, rate: f64) -> Result<Minimal, NotMinimal> {
     let scaled = Scaled::new(system, rate)?;
-    let found = Elimination::new(&scaled).finished()?;
-    let free = Free::new(&found.constraints, |index| found.unknown(index));
-    let free = free.map_err(|index| NotMinimal::Undetermined(found.unknown(index)))?;
-    let a = free.rows(&found.a) * &free.all;
-    let b = free.rows(&found.b);
-    let [x, y] = found.whole(&free.all);
+    let Elimination { a, b, x, y, names } = Elimination::new(&scaled)?;
     let residual = scaled.residual([&x, &y], [&a, &b]);
-    let state = |&index: &usize| DescriptorState {
-        unknown: found.unknown(index),
-        is_part: found.is_part(index),
-    };
-    let states = free.indices.iter().map(state).collect();
+    let state = |(unknown, is_part): (usize, bool)| DescriptorState { unknown, is_part };
+    let states = names.into_iter().map(state).collect();
     Ok(scaled.unscaled(states, [&a, &b], [&x, &y], residual))
 }

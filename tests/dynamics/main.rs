@@ -48,9 +48,11 @@ mod leverage;
 mod linear;
 mod loads;
 mod mbdyn_model;
+
 mod mechanisms;
 mod mirrored_rotors;
 mod overdamped;
+mod patterns;
 mod pendulum;
 mod periodic;
 mod piezo;

@@ -34,12 +34,14 @@ use crate::result::{AcceptedStep, Recorder};
 mod equality;
 mod modes;
 
-pub(super) use modes::{AveragedMode, averaged_modes};
+pub(super) use modes::{AveragedMode, averaged_modes, modes_without_air};
 
 use equality::Equality;
 
 /// Instants of the mean in a turn: harmonics up to their number have no mean.
 const INSTANTS: usize = 24;
+/// Every third instant is one of the mean without air, which only names modes.
+const VACUUM: usize = 3;
 /// Part of its terms below which a mean is round-off.
 const ROUND_OFF: f64 = 1e-13;
 /// Part of the largest singular value below which a combination of constraints is not determined.
@@ -51,7 +53,18 @@ pub(super) struct Averaged {
     pub model: Model,
     /// Derivatives by the multiblade coordinates of all unknowns.
     pub tangent: Tangent,
+    /// The same without the forces of the air, if they are requested and act.
+    vacuum: Option<Tangent>,
     coordinates: Coordinates,
+}
+
+/// The forces of the air in averaged equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Air {
+    /// They act.
+    With,
+    /// They act, and further equations are without them.
+    WithAndWithout,
 }
 
 impl Averaged {
@@ -101,6 +114,7 @@ pub(super) fn averaged(
     model: &Model,
     settings: &PeriodicSettings,
     state: &State,
+    air: Air,
 ) -> Result<Averaged, [String; 2]> {
     let shared = independent(model, &settings.start)
         .map_err(|failure| [failure.to_string(), failure.remedy()])?;
@@ -109,6 +123,7 @@ pub(super) fn averaged(
     let coordinates = coordinates(&own)?.turning(state, settings.period);
     let mut sum = Sum {
         mean: Mean::new(&coordinates),
+        vacuum: (air == Air::WithAndWithout).then(|| Mean::new(&coordinates)),
         system: &own.system,
         stride: stride(settings.steps, &coordinates, settings.period),
     };
@@ -120,9 +135,11 @@ pub(super) fn averaged(
         return Err([reason, USE_FLOQUET.to_owned()]);
     }
     let tangent = sum.mean.tangent();
+    let vacuum = sum.vacuum.map(|mean| mean.tangent());
     Ok(Averaged {
         model: own,
         tangent,
+        vacuum,
         coordinates,
     })
 }
@@ -130,6 +147,8 @@ pub(super) fn averaged(
 /// The mean over the states of a period.
 struct Sum<'a> {
     mean: Mean<'a>,
+    /// Without the forces of the air; `None` if they do not act.
+    vacuum: Option<Mean<'a>>,
     system: &'a System,
     /// Distance of the instants in steps.
     stride: usize,
@@ -144,9 +163,40 @@ impl Recorder for Sum<'_> {
             let factors = self.mean.coordinates.at(step.time, state);
             let [a, e] = linearized(self.system, state, step.conditions);
             self.mean.add(&factors, &a, &e);
+            if self.mean.count % VACUUM == 1 {
+                self.add_vacuum((state, step.conditions), &factors, [&a, &e]);
+            }
         }
         true
     }
+}
+
+impl Sum<'_> {
+    /// Adds the coefficients without air, which differ from those with air `[A, E]`.
+    fn add_vacuum(
+        &mut self,
+        (state, at): (&State, &Conditions),
+        factors: &Factors,
+        air: [&Sparse; 2],
+    ) {
+        let Some(mean) = &mut self.vacuum else { return };
+        let mut conditions = *at;
+        conditions.loading.air = 0.0;
+        let own = linearized(self.system, state, &conditions);
+        let is_same = |(own, air): (&Sparse, &Sparse)| own.values() == air.values();
+        match own.iter().zip(air).all(is_same) {
+            true => self.vacuum = None,
+            false => mean.add(factors, &own[0], &own[1]),
+        }
+    }
+}
+
+/// Whether air acts on a state.
+fn air_acts(system: &System, state: &State, conditions: &Conditions) -> bool {
+    let mut without = *conditions;
+    without.loading.air = 0.0;
+    let [with, without] = [conditions, &without].map(|at| system.by_unknowns(state, at));
+    with.values() != without.values()
 }
 
 /// The distance of the instants in steps: a divisor of their number, so that there are enough in a turn of the

@@ -14,7 +14,7 @@
 use faer::Mat;
 use nalgebra::{Complex, DMatrix};
 
-use crate::analysis::averaged::{Averaged, averaged};
+use crate::analysis::averaged::{Air, Averaged, averaged};
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{NoEquilibrium, equilibrium, free_equilibrium, rpm};
 use crate::analysis::trim::{Reader, trim};
@@ -83,9 +83,7 @@ impl LinearFailure {
                 "use fewer elements, or one blade; modes and stability have no such limit"
             }
             Self::Undetermined(_) => {
-                "give it mass or stiffness, or remove joints that hold the same motion twice; sections \
-                 whose moments of inertia are very small have reactions of this kind too: let \"iy\" and \
-                 \"iz\" be 0, or use modes or stability, which do not choose states"
+                "give it mass or stiffness, or remove joints that hold the same motion twice"
             }
             Self::Jump(_) => "let an [[actuator]] follow it, and use the name of the actuator",
             Self::NotFinite => "change the laws or the loads so that they have slopes there",
@@ -179,7 +177,8 @@ fn of_period(input: &Input) -> Result<LinearModel, LinearFailure> {
         ]));
     }
     let state = outcome.state.ok_or(LinearFailure::NotRequested)?;
-    let averaged = averaged(&input.model, periodic, &state).map_err(LinearFailure::Period)?;
+    let averaged =
+        averaged(&input.model, periodic, &state, Air::With).map_err(LinearFailure::Period)?;
     let speed = periodic.speed.unwrap_or(0.0);
     of(&Operation {
         model: &averaged.model,

@@ -2,10 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use crate::assembly::{MasslessMotions, Tangent};
+use nalgebra::Complex;
+
+use crate::assembly::{MasslessMotions, Sparse, Tangent};
 use crate::case::Model;
 use crate::modes::{
-    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, half_air, separate, shaft_whirl,
+    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, half_air, separate, separate_patterns,
+    shaft_whirl,
 };
 use crate::result::{ModeKind, ModePoint};
 use crate::solver::LinearSolver;
@@ -55,6 +58,24 @@ impl<'a> Linearized<'a> {
         EigenProblem::near(solver, &self.tangent, &self.massless, copies, size)
     }
 
+    /// The same system without the forces of the air; `None` if no air acts.
+    pub fn without_air(&self, steady: &Equilibrium) -> Option<Self> {
+        let mut conditions = steady.conditions;
+        conditions.loading.air = 0.0;
+        let system = &self.model.system;
+        let tangent = system.tangent(&steady.state, &conditions);
+        let is_same =
+            |of: fn(&Tangent) -> &Sparse| of(&tangent).values() == of(&self.tangent).values();
+        let is_vacuum = is_same(|own| &own.by_unknowns) && is_same(|own| &own.by_rates);
+        (!is_vacuum).then(|| Self {
+            model: self.model,
+            massless: MasslessMotions::new(system, &tangent),
+            half_air: None,
+            mass: MassMatrix::new(&tangent.by_rates, system.nodes().len()),
+            tangent,
+        })
+    }
+
     /// The motion of a pair.
     pub fn motion(&self, pair: &Eigenpair) -> ModeMotion {
         ModeMotion::new(pair, &self.mass)
@@ -70,6 +91,11 @@ impl<'a> Linearized<'a> {
         let mut motions: Vec<_> = pairs.iter().map(|pair| self.motion(pair)).collect();
         let numbers: Vec<_> = pairs.iter().map(number).collect();
         separate(&mut motions, &numbers, &self.model.naming, rotor);
+        if let Some(rotor) = rotor {
+            let value = |pair: &Eigenpair| Complex::new(pair.growth, pair.angular_frequency);
+            let values: Vec<_> = pairs.iter().map(value).collect();
+            separate_patterns(&mut motions, &values, rotor);
+        }
         motions
     }
 }

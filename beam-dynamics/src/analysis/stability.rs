@@ -7,6 +7,7 @@
 
 mod crossing;
 pub mod follow;
+mod names;
 pub mod refine;
 mod request;
 mod scan;
@@ -45,6 +46,7 @@ pub fn stability(
     let found = scan(&of_scan, &mut |at| source.roots(at));
     let mut remarks = found.remarks;
     remarks.extend(source.remark());
+    remarks.extend(of_two_blades(&found.modes, source.is_double()));
     remarks.extend(overdamped(settings, &found.points, &found.modes));
     let mut points = found.points;
     for point in &mut points {
@@ -72,6 +74,18 @@ pub fn stability(
         failures: found.failures,
         remarks,
     }
+}
+
+/// The frequencies of two blades that move against each other, as a remark.
+fn of_two_blades(modes: &[String], is_double: bool) -> Option<String> {
+    let word = "differential";
+    let is_such = is_double && modes.iter().any(|name| name.ends_with(word));
+    is_such.then(|| {
+        format!(
+            "the frequencies f of {word} modes of two blades are those in axes that turn with them; in the \
+             fixed frame they are seen at f + n and |f - n| with the speed n of the rotor"
+        )
+    })
 }
 
 /// Modes that do not oscillate at some of the requested values, with these, as a remark.

@@ -18,6 +18,10 @@ use crate::model::NamingAxes;
 /// Weight of the kinds of parts other than blades, on a rotor: enough to part the motions in
 /// which no blade moves.
 const BESIDE_BLADES: f64 = 1e-6;
+/// Relative distance of values that are nearly equal.
+const NEAR: f64 = 1e-4;
+/// Share of the energy of the blades from which on a mode has one pattern.
+const ONE_PATTERN: f64 = 0.9999;
 
 /// Replaces modes of equal frequency by pure ones; `frequencies` ascend.
 pub fn separate(
@@ -85,6 +89,75 @@ fn groups(frequencies: &[f64]) -> Vec<std::ops::Range<usize>> {
     found
 }
 
+/// Replaces modes whose `values` \[1/s\] are nearly equal by the combinations for which a Hermitian `form` of two
+/// modes has the values of one of its parts, such as the energies of patterns times a number of each.
+pub fn separate_by(
+    modes: &mut [ModeMotion],
+    values: &[Complex<f64>],
+    form: impl Fn(&ModeMotion, &ModeMotion) -> Complex<f64>,
+) {
+    for first in 0..modes.len() {
+        let is_copy =
+            |i: &usize| (values[*i] - values[first]).norm() <= COPIES * values[first].norm();
+        let copies: Vec<_> = (0..modes.len()).filter(is_copy).collect();
+        if copies.len() < 2 || copies[0] != first {
+            continue;
+        }
+        let own: Vec<_> = copies.iter().map(|i| modes[*i].clone()).collect();
+        let n = own.len();
+        let weighted = DMatrix::from_fn(n, n, |i, j| form(&own[i], &own[j]));
+        for (index, pure) in copies
+            .into_iter()
+            .zip(pure(&own, &weighted).into_iter().flatten())
+        {
+            modes[index] = pure;
+        }
+    }
+}
+
+/// Replaces modes of a rotor whose `values` \[1/s\] are nearly equal by combinations in which the blades have one
+/// pattern each, if these exist: the round-off of nearly equal values mixes their vectors. Each combination takes
+/// the place of the mode that it is most of.
+pub fn separate_patterns(modes: &mut [ModeMotion], values: &[Complex<f64>], rotor: &Rotor) {
+    for first in 0..modes.len() {
+        let is_near =
+            |i: &usize| (values[*i] - values[first]).norm() <= NEAR * values[first].norm();
+        let near: Vec<_> = (0..modes.len()).filter(is_near).collect();
+        let own: Vec<_> = near.iter().map(|i| modes[*i].clone()).collect();
+        if near.len() < 2 || near[0] != first || is_pure(&own, rotor) {
+            continue;
+        }
+        let Some(pure) = pure_patterns(&own, rotor).filter(|pure| is_pure(pure, rotor)) else {
+            continue;
+        };
+        let mut free: Vec<_> = (0..near.len()).collect();
+        for mode in pure {
+            let part = |place: &usize| own[*place].product(&mode).norm_sqr();
+            let most = (0..free.len()).max_by(|a, b| part(&free[*a]).total_cmp(&part(&free[*b])));
+            if let Some(most) = most {
+                modes[near[free.swap_remove(most)]] = mode;
+            }
+        }
+    }
+}
+
+/// Whether the blades have one pattern in each mode in which they move.
+fn is_pure(modes: &[ModeMotion], rotor: &Rotor) -> bool {
+    let mut whirls = modes.iter().filter_map(|mode| rotor.whirl(mode));
+    whirls.all(|whirl| whirl.share >= ONE_PATTERN)
+}
+
+/// The combinations of modes with one pattern each; `None` if the modes are not independent.
+fn pure_patterns(modes: &[ModeMotion], rotor: &Rotor) -> Option<Vec<ModeMotion>> {
+    let parts: Vec<_> = modes.iter().map(|mode| rotor.parts(mode)).collect();
+    let weighted = DMatrix::from_fn(modes.len(), modes.len(), |i, j| {
+        let energies = parts[i].energies(&parts[j]).into_iter().zip(1..);
+        let weighted = energies.map(|(energy, number)| energy * f64::from(number));
+        weighted.sum::<Complex<f64>>()
+    });
+    pure(modes, &weighted)
+}
+
 /// `None` when the modes are not independent.
 fn pure_combinations(
     modes: &[ModeMotion],
@@ -100,8 +173,7 @@ fn pure_combinations(
         .map(|m| m.weighted_momentum(axes, [1.0, 2.0, 3.0, 4.0], &nodes));
     let momenta: Vec<_> = momenta.collect();
     let parts = rotor.map(|rotor| modes.iter().map(|m| rotor.parts(m)).collect::<Vec<_>>());
-    let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
-    let weighted = hermitian(&DMatrix::from_fn(n, n, |i, j| {
+    let weighted = DMatrix::from_fn(n, n, |i, j| {
         let kinds = modes[i].along(&momenta[j]);
         let together = parts.as_ref().map(|parts| parts[i].energies(&parts[j]));
         let together = together.unwrap_or_default();
@@ -112,7 +184,18 @@ fn pure_combinations(
             .zip(1..)
             .map(|(e, k)| e * step * f64::from(k));
         kinds + ways.sum::<Complex<f64>>()
-    }));
+    });
+    pure(modes, &weighted)
+}
+
+/// The combinations of modes that are pure by weighted energies; `None` if the modes are not independent.
+fn pure(modes: &[ModeMotion], weighted: &DMatrix<Complex<f64>>) -> Option<Vec<ModeMotion>> {
+    let n = modes.len();
+    let gram = hermitian(&DMatrix::from_fn(n, n, |i, j| modes[i].product(&modes[j])));
+    let weighted = hermitian(weighted);
+    if weighted.iter().any(|value| !value.norm_sqr().is_finite()) {
+        return None;
+    }
     // W c = w L L^H c with c = L^-H d: (L^-1 W L^-H) d = w d.
     let inverse = gram.cholesky()?.l().try_inverse()?;
     let standard = hermitian(&(&inverse * weighted * inverse.adjoint()));

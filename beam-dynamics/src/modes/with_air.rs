@@ -39,6 +39,18 @@ fn mixed(whole: &Sparse, half: &Sparse, part: f64) -> Sparse {
 }
 
 impl EigenProblem<'_> {
+    /// The `count` oscillations of lowest frequency of a system in which no air acts, and the other copies of
+    /// the last one; scalars, such as states of the air, follow without lag.
+    pub fn structural(&self, count: usize) -> Vec<Eigenpair> {
+        match self.without_circuits(self.tangent()) {
+            Some(alone) => {
+                let problem = self.beside(&alone);
+                problem.map_or_else(Vec::new, |problem| problem.lowest_complete(count))
+            }
+            None => self.lowest_complete(count),
+        }
+    }
+
     /// The modes without air of the lowest `count` frequencies, followed into this system, and how
     /// many are lost on the way. `half` has half of the forces of the air.
     pub(super) fn followed_from_vacuum(

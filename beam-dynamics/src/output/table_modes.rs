@@ -57,7 +57,16 @@ fn whirl(point: &ModePoint, speed: f64, (words, columns): (Words, Columns)) -> V
     };
     let (frequency, direction) = whirl.in_fixed_system(point.frequency, speed);
     let mut cells = vec![whirl.word_in(words), share(whirl.share)];
-    cells.extend(columns.values(frequency, number));
+    // Two blades that move against each other have two frequencies, which the Campbell diagram has.
+    let is_double = whirl.is_double();
+    let cell = |value: f64| {
+        if is_double {
+            String::new()
+        } else {
+            number(value)
+        }
+    };
+    cells.extend(columns.values(frequency, cell));
     cells.push(direction.map_or("", Direction::word).to_owned());
     cells
 }

@@ -48,7 +48,7 @@ impl FixedTable {
     /// multiples `orders`; `None` if no mode has one, or with a single speed.
     pub fn new(table: &FrequencyTable, orders: &[u32]) -> Option<Self> {
         let branches = table.branches.iter();
-        let lines = branches.filter_map(|branch| line(branch, &table.speeds, table.style.words));
+        let lines = branches.flat_map(|branch| lines(branch, &table.speeds, table.style.words));
         let lines: Vec<_> = lines.collect();
         if lines.is_empty() || table.speeds.len() < 2 {
             return None;
@@ -73,7 +73,7 @@ impl FrequencyTable {
                 .flatten()
                 .filter_map(|point| point.whirl);
             let is_known = whirls.next().is_some();
-            is_known && line(branch, &self.speeds, self.style.words).is_none()
+            is_known && lines(branch, &self.speeds, self.style.words).is_empty()
         };
         let mixed = self.branches.iter().filter(is_mixed).count();
         if mixed == 0 || self.speeds.len() < 2 {
@@ -122,15 +122,38 @@ impl FixedLine {
     }
 }
 
-/// The line of a branch; `None` if its blades rest.
-fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> {
+/// The lines of a branch, none if its blades rest. Two blades that move against each other are a wave that runs
+/// forward and one that runs backward, of equal size:
+///
+/// ```text
+/// cos(w t) cos psi = cos(w t - psi) / 2 + cos(w t + psi) / 2 ,   seen at w + Omega and at w - Omega
+/// ```
+fn lines(branch: &ModeBranch, speeds: &[f64], words: Words) -> Vec<FixedLine> {
+    let points = branch.points.iter().flatten();
+    let mut pure = points.filter_map(|point| point.whirl.filter(Whirl::is_pure));
+    let waves: &[Option<i32>] = match pure.any(|whirl| whirl.is_double()) {
+        true => &[Some(1), Some(-1)],
+        false => &[None],
+    };
+    let lines = waves
+        .iter()
+        .map(|wave| line((branch, *wave), speeds, words));
+    lines.flatten().collect()
+}
+
+/// The line of a branch, or of one of its waves; `None` if its blades rest.
+fn line(
+    (branch, wave): (&ModeBranch, Option<i32>),
+    speeds: &[f64],
+    words: Words,
+) -> Option<FixedLine> {
     let known = branch
         .points
         .iter()
         .zip(speeds)
         .filter_map(|(point, speed)| {
             let whirl = point.as_ref()?.whirl.filter(Whirl::is_pure)?;
-            Some(Seen::new(whirl, point.as_ref()?, *speed))
+            Some(Seen::new(of_wave(whirl, wave), point.as_ref()?, *speed))
         });
     let pure: Vec<_> = known.collect();
     let named = pure
@@ -139,17 +162,18 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
     let Seen { whirl, pattern, .. } = *named.or(pure.last())?;
     let whirl_at = |point: &ModePoint, speed: f64| {
         let own = point.whirl.filter(Whirl::is_pure);
-        own.unwrap_or_else(|| match whirl.blades {
-            0 => nearest(&pure, speed).map_or(whirl, |near| continued(near, point, speed)),
-            _ => whirl,
-        })
+        own.map(|whirl| of_wave(whirl, wave))
+            .unwrap_or_else(|| match whirl.blades {
+                0 => nearest(&pure, speed).map_or(whirl, |near| continued(near, point, speed)),
+                _ => whirl,
+            })
     };
     let points = branch.points.iter().zip(speeds).map(|(point, speed)| {
         let point = point.as_ref()?;
         let whirl = whirl_at(point, *speed);
         Some(FixedPoint::new(point, whirl, branch.kind_at(point), *speed))
     });
-    let is_named = branch.harmonic.is_some() || pattern.harmonic == 0;
+    let is_named = wave.is_none() && (branch.harmonic.is_some() || pattern.harmonic == 0);
     Some(FixedLine {
         name: if is_named {
             branch.name.clone()
@@ -165,6 +189,19 @@ fn line(branch: &ModeBranch, speeds: &[f64], words: Words) -> Option<FixedLine> 
         },
         points: points.collect(),
     })
+}
+
+/// The pattern of one of the waves of two blades that move against each other, or the pattern itself.
+fn of_wave(whirl: Whirl, wave: Option<i32>) -> Whirl {
+    match wave.filter(|_| whirl.is_double()) {
+        // A pattern of no number of blades has a direction.
+        Some(harmonic) => Whirl {
+            harmonic,
+            blades: 0,
+            ..whirl
+        },
+        None => whirl,
+    }
 }
 
 /// A pure pattern in the fixed system, at a speed.
@@ -386,6 +423,37 @@ mod tests {
                 ("b regressive", 1, 2.0)
             ]
         );
+    }
+
+    // Two blades that move against each other at 5 Hz: cos(w t) cos psi = (cos(w t - psi) + cos(w t + psi)) / 2
+    // with psi = psi_0 + Omega t of the blade in the fixed system, at 5 + n and at 5 - n Hz. The wave that runs
+    // backward stands at 5 revolutions a second, and meets 1P at 2.5; four blades have one frequency.
+    #[test]
+    fn two_blades_against_each_other_are_two_waves() {
+        let speeds = [0.0, 2.0, 6.0];
+        let line = |blades| {
+            speeds
+                .map(|_| point(5.0, 0.0, whirl(blades as i32 / 2, blades)))
+                .to_vec()
+        };
+        let table = |blades| table(&speeds, vec![("flap 1 differential", line(blades))]);
+        let fixed = FixedTable::new(&table(2), &[1]).unwrap();
+        let seen = fixed.lines.iter().map(|line| {
+            let points = line.points.iter().flatten();
+            let signed: Vec<_> = points.map(|point| rounded(point.signed)).collect();
+            (line.name.as_str(), signed)
+        });
+        let expected = [
+            ("flap 1 differential progressive", vec![5.0, 7.0, 11.0]),
+            ("flap 1 differential regressive", vec![-5.0, -3.0, 1.0]),
+        ];
+        assert_eq!(seen.collect::<Vec<_>>(), expected);
+        let found = fixed.critical.iter();
+        let found: Vec<_> = found.map(|c| (c.order, rounded(c.speed / TAU))).collect();
+        assert_eq!(found, [(1, 2.5), (0, 5.0)]);
+        let of_four = FixedTable::new(&table(4), &[1]).unwrap();
+        let signed = of_four.lines[0].points.iter().flatten().map(|p| p.signed);
+        assert_eq!(signed.collect::<Vec<_>>(), [5.0; 3]);
     }
 
     // s = -0.3 + 2 pi i 0.4 in the turning axes, seen at 1.4 Hz.

@@ -55,6 +55,9 @@ pub struct FloquetMode {
     pub pattern: Option<String>,
     /// Frequency in axes that turn with the blades [rad/s].
     pub in_blades: f64,
+    /// Motion and momentum in multiblade coordinates at the shown frequency; empty without equal blades
+    /// \[any unit\].
+    pub in_coordinates: [Vec<Complex<f64>>; 2],
     /// Motion of all parts at the chosen frequency, which is positive, in the fixed frame: three
     /// entries of each, times the roots of their masses \[any unit\].
     pub shape: Vec<Complex<f64>>,

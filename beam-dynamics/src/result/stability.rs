@@ -35,6 +35,9 @@ pub struct StabilityRoot {
     pub in_blades: f64,
     /// The least number of the mode among all modes of its name, from one.
     pub number: usize,
+    /// Whether name, number and pattern identify the mode at all values; else modes are followed from value
+    /// to value.
+    pub is_named: bool,
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
     /// of one name are numbered behind it.
     pub pattern: Option<String>,
@@ -66,6 +69,7 @@ impl StabilityRoot {
             name: String::new(),
             in_blades: exponent.im.abs(),
             number: 1,
+            is_named: false,
             pattern: None,
             waves: None,
             shape: [Vec::new(), Vec::new()],

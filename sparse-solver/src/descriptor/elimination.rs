@@ -1,8 +1,13 @@
 //! Elimination of the unknowns without rates (D-334).
+//!
+//! Constraints are not differentiated: the unknowns with rates that they bind are replaced by the free ones, in
+//! the equations and in their rates, and the equations without rates are sought again. So no reciprocal masses
+//! appear in the equations of the reactions, which light sections would fill with a few large ones.
 
 use faer::Mat;
 
-use super::ranked::{Ranked, ranked, split};
+use super::free::Free;
+use super::ranked::{ranked, split};
 use super::scaled::Scaled;
 use super::system::NotMinimal;
 
@@ -12,75 +17,122 @@ const NO_RATE: f64 = 1e-12;
 const ZERO: f64 = 1e-10;
 /// Part of a constraint, relative to its other terms, from which on it depends on an input.
 const MOVED: f64 = 1e-9;
-/// Derivatives of constraints: more have no mechanical origin.
-const DERIVATIVES: usize = 5;
+/// Replacements of bound unknowns: more have no mechanical origin.
+const REPLACEMENTS: usize = 5;
 
-/// The unknowns x1 with rates, and the remaining ones l without:
+/// Equations of fewer unknowns, by which all unknowns are known:
 ///
 /// ```text
-/// x1' = A x1 + N l + B u,   0 = G x1 + L l + H u,   x2 = Z_1 x1 + Z_l l + Z_u u
+/// E x' + K x + F u = 0 ,   whole = X x + Y u
 /// ```
+struct Equations {
+    by_rates: Mat<f64>,
+    by_unknowns: Mat<f64>,
+    by_inputs: Mat<f64>,
+    x: Mat<f64>,
+    y: Mat<f64>,
+    /// The unknown of the system that each x is, and whether it is without a part of others.
+    names: Vec<(usize, bool)>,
+}
+
+/// The states: `x' = A x + B u`, and all unknowns by them, `whole = X x + Y u`.
 pub(super) struct Elimination {
-    /// The factors of E.
-    rates: Ranked,
     pub a: Mat<f64>,
-    n: Mat<f64>,
     pub b: Mat<f64>,
+    pub x: Mat<f64>,
+    pub y: Mat<f64>,
+    /// The unknown of the system that each state is, and whether it is without the part of others.
+    pub names: Vec<(usize, bool)>,
+}
+
+/// Equations in which the unknowns with rates, x1, are parted from the others, x2:
+///
+/// ```text
+/// R x1' + K1 x1 + K2 x2 + F u = 0 ,   0 = G x1 + L x2 + H u ,   whole = X1 x1 + X2 x2 + Y u
+/// ```
+struct Parted {
+    r: Mat<f64>,
+    k: [Mat<f64>; 2],
+    f: Mat<f64>,
     g: Mat<f64>,
     l: Mat<f64>,
     h: Mat<f64>,
-    z: [Mat<f64>; 3],
-    /// Constraints of x1, a row each.
-    pub constraints: Mat<f64>,
+    x: [Mat<f64>; 2],
+    y: Mat<f64>,
+    names: [Vec<(usize, bool)>; 2],
 }
 
 impl Elimination {
-    /// The system with all unknowns without rates.
-    pub fn new(scaled: &Scaled) -> Self {
-        let rates = ranked(scaled.by_rates.as_ref(), (NO_RATE, None));
+    /// The states of a system.
+    pub fn new(scaled: &Scaled) -> Result<Self, NotMinimal> {
+        let n = scaled.by_unknowns.ncols();
+        let mut equations = Equations {
+            by_rates: scaled.by_rates.clone(),
+            by_unknowns: scaled.by_unknowns.clone(),
+            by_inputs: scaled.by_inputs.clone(),
+            x: Mat::identity(n, n),
+            y: Mat::zeros(n, scaled.by_inputs.ncols()),
+            names: (0..n).map(|unknown| (unknown, false)).collect(),
+        };
+        for _ in 0..=REPLACEMENTS {
+            let mut parted = equations.parted();
+            parted.scale_rows()?;
+            parted.eliminate();
+            if parted.g.nrows() == 0 {
+                return parted.finished();
+            }
+            parted.scale_rows()?;
+            equations = parted.freed()?;
+        }
+        Err(NotMinimal::Undetermined(equations.most(0)))
+    }
+}
+
+impl Equations {
+    /// The unknowns with rates are combinations of independent columns of E.
+    fn parted(&self) -> Parted {
+        let rates = ranked(self.by_rates.as_ref(), (NO_RATE, None));
         let rank = rates.rank;
-        let [mut k1, mut k2] = split(&rates.ordered(&scaled.by_unknowns), rank);
-        let inputs = scaled.by_inputs.ncols();
-        // The unknowns with rates are combinations of independent columns of E.
         let dependent = rates.dependent();
-        k2 -= &k1 * &dependent;
+        let split_rates = |matrix: &Mat<f64>| {
+            let [first, mut others] = split(&rates.ordered(matrix), rank);
+            others -= &first * &dependent;
+            [first, others]
+        };
+        let [k1, k2] = split_rates(&self.by_unknowns);
         let [above, below] = rates.rows(&k1);
         let [right, rest] = rates.rows(&k2);
-        let [force, fixed] = rates.rows(&scaled.by_inputs);
-        k1 = above;
-        let [a, n, b] = [k1, right, force].map(|matrix| -rates.solved(matrix));
-        let count = rest.ncols();
-        Self {
-            constraints: Mat::zeros(0, rank),
-            z: [
-                Mat::zeros(count, rank),
-                Mat::identity(count, count),
-                Mat::zeros(count, inputs),
-            ],
-            rates,
-            a,
-            n,
-            b,
+        let [force, fixed] = rates.rows(&self.by_inputs);
+        let is_part = |index: usize| {
+            let row = rates.r.row(index);
+            let parts = (rank..row.ncols()).map(|j| row[j].abs());
+            parts.fold(0.0, f64::max) > NO_RATE * row.norm_max()
+        };
+        let names = rates.order.iter().enumerate().map(|(index, &own)| {
+            let (unknown, was_part) = self.names[own];
+            (unknown, was_part || (index < rank && is_part(index)))
+        });
+        let names: Vec<_> = names.collect();
+        Parted {
+            r: rates.r.get(.., ..rank).to_owned(),
+            k: [above, right],
+            f: force,
             g: below,
             l: rest,
             h: fixed,
+            x: split_rates(&self.x),
+            y: self.y.clone(),
+            names: [names[..rank].to_vec(), names[rank..].to_vec()],
         }
     }
 
-    /// All unknowns without rates eliminated.
-    pub fn finished(mut self) -> Result<Self, NotMinimal> {
-        for _ in 0..=DERIVATIVES {
-            self.scale_rows()?;
-            self.eliminate();
-            if self.g.nrows() == 0 {
-                return Ok(self);
-            }
-            self.scale_rows()?;
-            self.differentiate()?;
-        }
-        Err(NotMinimal::Undetermined(self.most(0)))
+    /// The unknown of the system that is an x.
+    fn most(&self, index: usize) -> usize {
+        self.names.get(index).map_or(0, |own| own.0)
     }
+}
 
+impl Parted {
     /// Scales the rows of the constraints to a largest entry of one.
     fn scale_rows(&mut self) -> Result<(), NotMinimal> {
         for i in 0..self.g.nrows() {
@@ -107,92 +159,91 @@ impl Elimination {
         let [g, left] = own.rows(&self.g);
         let [h, fixed] = own.rows(&self.h);
         let (g, h) = (own.solved(g), own.solved(h));
-        // The first l are -g x1 - dependent (others) - h u.
-        let reduced = |by: &Mat<f64>, [x, u]: [&mut Mat<f64>; 2]| {
-            let [first, mut others] = split(&own.ordered(by), rank);
+        // The first x2 are -g x1 - dependent (others) - h u.
+        let reduced = |[by_x, by_l]: &mut [Mat<f64>; 2], by_u: &mut Mat<f64>| {
+            let [first, mut others] = split(&own.ordered(by_l), rank);
             others -= &first * &dependent;
-            *x -= &first * &g;
-            *u -= &first * &h;
-            others
+            *by_x -= &first * &g;
+            *by_u -= &first * &h;
+            *by_l = others;
         };
-        self.n = reduced(&self.n, [&mut self.a, &mut self.b]);
-        let [of_x, of_l, of_u] = &mut self.z;
-        *of_l = reduced(of_l, [of_x, of_u]);
+        reduced(&mut self.k, &mut self.f);
+        reduced(&mut self.x, &mut self.y);
+        let names = own.order[rank..].iter().map(|&index| self.names[1][index]);
+        self.names[1] = names.collect();
         let rest = left.nrows();
-        (self.g, self.h, self.l) = (left, fixed, Mat::zeros(rest, rest));
+        (self.g, self.h, self.l) = (left, fixed, Mat::zeros(rest, self.names[1].len()));
     }
 
-    /// Keeps the constraints, which have no unknowns without rates, and replaces them by their rates.
-    fn differentiate(&mut self) -> Result<(), NotMinimal> {
+    /// The equations of the unknowns that the constraints leave free.
+    fn freed(self) -> Result<Equations, NotMinimal> {
         for k in 0..self.h.ncols() {
             if (0..self.h.nrows()).any(|i| self.h[(i, k)].abs() > MOVED) {
                 return Err(NotMinimal::Prescribed(k));
             }
         }
-        let kept = self.constraints.nrows();
-        let all = Mat::from_fn(kept + self.g.nrows(), self.g.ncols(), |i, j| {
-            match i.checked_sub(kept) {
-                None => self.constraints[(i, j)],
-                Some(i) => self.g[(i, j)],
-            }
-        });
-        self.constraints = all;
-        for j in 0..self.n.ncols() {
-            let size = self.n.col(j).norm_l2();
-            if !(size > 0.0 && size.is_finite()) {
-                return Err(NotMinimal::Undetermined(self.most(j)));
-            }
-            (0..self.n.nrows()).for_each(|i| self.n[(i, j)] /= size);
-            (0..self.z[1].nrows()).for_each(|i| self.z[1][(i, j)] /= size);
-        }
-        self.l = &self.g * &self.n;
-        self.h = &self.g * &self.b;
-        self.g = &self.g * &self.a;
-        Ok(())
-    }
-
-    /// The unknown with the largest part in the remaining unknown `j` without rate.
-    fn most(&self, j: usize) -> usize {
-        let parts = &self.z[1];
-        if j >= parts.ncols() {
-            return 0;
-        }
-        let part = |i: &usize| parts[(*i, j)].abs();
-        let most = (0..parts.nrows()).max_by(|a, b| part(a).total_cmp(&part(b)));
-        most.map_or(0, |i| self.rates.order[self.rates.rank + i])
-    }
-
-    /// The unknown of the system that belongs to an x1.
-    pub fn unknown(&self, index: usize) -> usize {
-        self.rates.order.get(index).copied().unwrap_or(0)
-    }
-
-    /// Whether unknowns without rates have a part in the unknown of an x1.
-    pub fn is_part(&self, index: usize) -> bool {
-        let row = self.rates.r.row(index);
-        let parts = (self.rates.rank..row.ncols()).map(|j| row[j].abs());
-        parts.fold(0.0, f64::max) > NO_RATE * row.norm_max()
-    }
-
-    /// All unknowns of the system by the x1, which are `by_free` combinations, and by the inputs.
-    pub fn whole(&self, by_free: &Mat<f64>) -> [Mat<f64>; 2] {
-        let [of_x, _, of_u] = &self.z;
-        let dependent = self.rates.dependent();
-        let without = of_x * by_free;
-        let with = by_free - &dependent * &without;
-        let by_inputs = -(&dependent * of_u);
-        let rank = self.rates.rank;
-        let placed = |with: &Mat<f64>, without: &Mat<f64>| {
-            let mut whole = Mat::zeros(rank + without.nrows(), with.ncols());
-            for (i, &unknown) in self.rates.order.iter().enumerate() {
-                let (from, i) = match i.checked_sub(rank) {
-                    None => (with, i),
-                    Some(i) => (without, i),
-                };
-                (0..with.ncols()).for_each(|j| whole[(unknown, j)] = from[(i, j)]);
-            }
-            whole
+        let [with, without] = &self.names;
+        let free = Free::new(&self.g, |index| with[index].0);
+        let joined = |matrix: Mat<f64>, others: &Mat<f64>| {
+            let count = matrix.ncols();
+            Mat::from_fn(matrix.nrows(), count + others.ncols(), |i, j| {
+                match j.checked_sub(count) {
+                    None => matrix[(i, j)],
+                    Some(j) => others[(i, j)],
+                }
+            })
         };
-        [placed(&with, &without), placed(&by_inputs, of_u)]
+        let none = Mat::zeros(self.r.nrows(), without.len());
+        let own = free.indices.iter().map(|index| with[*index]);
+        Ok(Equations {
+            by_rates: joined(&self.r * &free.all, &none),
+            by_unknowns: joined(&self.k[0] * &free.all, &self.k[1]),
+            by_inputs: self.f,
+            x: joined(&self.x[0] * &free.all, &self.x[1]),
+            y: self.y,
+            names: own.chain(without.iter().copied()).collect(),
+        })
+    }
+
+    /// The states, if no unknown without rates is left, by ascending unknowns.
+    fn finished(self) -> Result<Elimination, NotMinimal> {
+        if let Some((unknown, _)) = self.names[1].first() {
+            return Err(NotMinimal::Undetermined(*unknown));
+        }
+        let [k, _] = &self.k;
+        let solved = |mut matrix: Mat<f64>| {
+            if matrix.nrows() > 0 && matrix.ncols() > 0 {
+                self.r.as_ref().solve_upper_triangular_in_place(&mut matrix);
+            }
+            -matrix
+        };
+        let (a, b) = (solved(k.clone()), solved(self.f.clone()));
+        let names = &self.names[0];
+        let mut order: Vec<_> = (0..names.len()).collect();
+        order.sort_by_key(|index| names[*index].0);
+        let rows = |matrix: &Mat<f64>| {
+            Mat::from_fn(order.len(), matrix.ncols(), |i, j| matrix[(order[i], j)])
+        };
+        let columns = |matrix: &Mat<f64>| {
+            Mat::from_fn(matrix.nrows(), order.len(), |i, j| matrix[(i, order[j])])
+        };
+        Ok(Elimination {
+            a: columns(&rows(&a)),
+            b: rows(&b),
+            x: columns(&self.x[0]),
+            y: self.y.clone(),
+            names: order.iter().map(|index| names[*index]).collect(),
+        })
+    }
+
+    /// The unknown with the largest part in an equation without rates.
+    fn most(&self, row: usize) -> usize {
+        let name = |part: usize, by: &Mat<f64>| {
+            let entry = |j: &usize| by[(row, *j)].abs();
+            let most = (0..by.ncols()).max_by(|a, b| entry(a).total_cmp(&entry(b)))?;
+            self.names[part].get(most).map(|own| own.0)
+        };
+        let found = name(1, &self.l).or_else(|| name(0, &self.g));
+        found.unwrap_or(0)
     }
 }

@@ -16,16 +16,11 @@ pub(super) struct Free {
 }
 
 impl Free {
-    /// Of the constraints `G x = 0`, sorted by a key of the unknowns.
-    ///
-    /// # Errors
-    /// The index of an unknown in a constraint that follows from the others.
-    pub fn new(constraints: &Mat<f64>, key: impl Fn(usize) -> usize) -> Result<Self, usize> {
-        let count = constraints.nrows();
+    /// Of the constraints `G x = 0`, sorted by a key of the unknowns. Constraints that follow from others leave a
+    /// reaction undetermined, which the end of the elimination finds.
+    pub fn new(constraints: &Mat<f64>, key: impl Fn(usize) -> usize) -> Self {
         let parts = ranked(constraints.as_ref(), (DEPENDENT, None));
-        if parts.rank < count {
-            return Err(parts.order.get(parts.rank).copied().unwrap_or(0));
-        }
+        let count = parts.rank;
         let by_rest = parts.dependent();
         let (bound, rest) = parts.order.split_at(count);
         let mut sorted: Vec<_> = rest.iter().copied().enumerate().collect();
@@ -37,16 +32,9 @@ impl Free {
                 all[(own, column)] = -by_rest[(row, place)];
             }
         }
-        Ok(Self {
+        Self {
             indices: sorted.into_iter().map(|(_, index)| index).collect(),
             all,
-        })
-    }
-
-    /// The rows of the free unknowns.
-    pub fn rows(&self, matrix: &Mat<f64>) -> Mat<f64> {
-        Mat::from_fn(self.indices.len(), matrix.ncols(), |i, j| {
-            matrix[(self.indices[i], j)]
-        })
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use faer::{Mat, c64};
 
+use super::graded::graded_eigenvalues;
 use super::system::{Descriptor, DescriptorState, Minimal, NotMinimal};
-use crate::dense::eigenvalues;
 
 /// Sweeps over rows and columns, each of which brings their largest entries nearer to one.
 const SWEEPS: usize = 8;
@@ -102,10 +102,8 @@ impl Scaled {
 impl Scaled {
     /// Eigenvalues of the scaled A by ascending size, in the time of the system.
     fn eigenvalues(&self, a: &Mat<f64>) -> Vec<c64> {
-        let scaled = eigenvalues(a.as_ref()).into_iter();
-        let mut found: Vec<_> = scaled.map(|own| own * self.rate).collect();
-        found.sort_by(|a, b| a.norm().total_cmp(&b.norm()).then(a.im.total_cmp(&b.im)));
-        found
+        let scaled = graded_eigenvalues(a).into_iter();
+        scaled.map(|own| own * self.rate).collect()
     }
 }
 

@@ -7,13 +7,13 @@
 
 use nalgebra::Complex;
 
-use super::{Averaged, USE_FLOQUET, averaged};
+use super::{Air, Averaged, USE_FLOQUET, air_acts, averaged};
 use crate::analysis::fewer_modes::why_no_more;
-use crate::analysis::multiblade::{Named, Names};
-use crate::assembly::MasslessMotions;
+use crate::analysis::multiblade::{Coordinates, Named, Names};
+use crate::assembly::{MasslessMotions, Tangent};
 use crate::case::{Model, PeriodicSettings, Words};
 use crate::model::State;
-use crate::modes::{EigenProblem, Eigenpair, MassMatrix, ModeMotion};
+use crate::modes::{EigenProblem, Eigenpair, MassMatrix, ModeMotion, separate_by};
 use crate::solver::LinearSolver;
 
 /// Largest number of values that are searched, as a multiple of the oscillations.
@@ -38,6 +38,8 @@ pub(in crate::analysis) struct AveragedMode {
 pub(in crate::analysis) struct AveragedModes {
     /// The modes: all oscillations up to a frequency, and others.
     pub modes: Vec<AveragedMode>,
+    /// The modes without air, at least as many as oscillations; `None` if no air acts.
+    pub vacuum: Option<Vec<AveragedMode>>,
     /// This frequency; `None` if the model has no others [rad/s].
     pub complete_to: Option<f64>,
 }
@@ -53,9 +55,9 @@ pub(in crate::analysis) fn averaged_modes(
     let Averaged {
         model,
         tangent,
+        vacuum,
         coordinates,
-    } = averaged(model, settings, state)?;
-    let nodes = model.system.nodes().len();
+    } = averaged(model, settings, state, Air::WithAndWithout)?;
     let massless = MasslessMotions::new(&model.system, &tangent);
     let solver = LinearSolver::new(tangent.by_rates.pattern());
     let problem = EigenProblem::new(&solver, &tangent, &massless, 2 * coordinates.blades.len());
@@ -64,12 +66,66 @@ pub(in crate::analysis) fn averaged_modes(
         let reason = "the averaged equations have a motion without stiffness";
         [reason.to_owned(), remedy.to_owned()]
     })?;
-    let seen = Seen {
+    let seen = |tangent: &Tangent| Seen {
         names: Names::new(&model, &coordinates, words),
-        mass: MassMatrix::new(&tangent.by_rates, nodes),
+        mass: MassMatrix::new(&tangent.by_rates, model.system.nodes().len()),
         speed: settings.speed.unwrap_or(0.0).abs(),
     };
-    searched(&problem, wanted, &seen)
+    let mut found = searched(&problem, wanted, &seen(&tangent))?;
+    found.vacuum = vacuum.and_then(|vacuum| {
+        let oscillations = found.modes.iter().filter(|mode| mode.named.oscillates);
+        let wanted = oscillations.count().max(wanted);
+        without_air((&model, &coordinates), &vacuum, wanted, &seen(&vacuum))
+    });
+    Ok(found)
+}
+
+/// As many modes without air about the periodic motion that begins with a state, and some beyond them; `None` if no
+/// air acts, and without averaged equations.
+pub(in crate::analysis) fn modes_without_air(
+    model: &Model,
+    settings: &PeriodicSettings,
+    state: &State,
+    (wanted, words): (usize, Words),
+) -> Option<Vec<AveragedMode>> {
+    let conditions = model.conditions_at(settings.start.from);
+    if !air_acts(&model.system, state, &conditions) {
+        return None;
+    }
+    let averaged = averaged(model, settings, state, Air::WithAndWithout).ok()?;
+    let vacuum = averaged.vacuum.as_ref()?;
+    let Averaged {
+        model, coordinates, ..
+    } = &averaged;
+    let seen = Seen {
+        names: Names::new(model, coordinates, words),
+        mass: MassMatrix::new(&vacuum.by_rates, model.system.nodes().len()),
+        speed: settings.speed.unwrap_or(0.0).abs(),
+    };
+    without_air((model, coordinates), vacuum, wanted, &seen)
+}
+
+/// The modes of the lowest frequencies without air.
+fn without_air(
+    (model, coordinates): (&Model, &Coordinates),
+    vacuum: &Tangent,
+    wanted: usize,
+    seen: &Seen<'_>,
+) -> Option<Vec<AveragedMode>> {
+    let massless = MasslessMotions::new(&model.system, vacuum);
+    let solver = LinearSolver::new(vacuum.by_rates.pattern());
+    let copies = 2 * coordinates.blades.len();
+    let problem = EigenProblem::new(&solver, vacuum, &massless, copies)?;
+    let mut requested = wanted + copies;
+    loop {
+        let modes = seen.modes(&problem.structural(requested));
+        let oscillations = modes.iter().filter(|mode| mode.named.oscillates).count();
+        let is_end = modes.len() < requested || requested >= MOST * wanted;
+        if oscillations >= wanted + copies || is_end {
+            return Some(modes);
+        }
+        requested *= 2;
+    }
 }
 
 /// The lowest modes, with at least `wanted` oscillations if there are so many. Values that no vector confirms
@@ -86,14 +142,13 @@ fn searched(
     loop {
         let lowest = problem.lowest(requested);
         let is_end = lowest.pairs.len() < requested && lowest.unconfirmed == 0;
-        let pairs = lowest.pairs.iter();
-        let mut modes: Vec<_> = pairs.map(|pair| seen.mode(pair)).collect();
+        let mut modes = seen.modes(&lowest.pairs);
         let found = modes.iter().filter(|mode| mode.named.oscillates).count();
         if found >= wanted || is_end || requested >= MOST * wanted {
             let all = modes.iter().map(|mode| mode.exponent.im);
             let last = all.fold(0.0, f64::max);
             let real = lowest.real.iter().map(|value| problem.real_pair(*value));
-            modes.extend(real.map(|pair| seen.mode(&pair)));
+            modes.extend(seen.modes(&real.collect::<Vec<_>>()));
             let is_all = is_end && lowest.is_all;
             let complete_to = (!is_all).then_some(last);
             if found < wanted && lowest.unconfirmed > 0 {
@@ -103,7 +158,11 @@ fn searched(
                 );
                 return Err([reason, USE_FLOQUET.to_owned()]);
             }
-            return Ok(AveragedModes { modes, complete_to });
+            return Ok(AveragedModes {
+                modes,
+                vacuum: None,
+                complete_to,
+            });
         }
         requested *= 2;
     }
@@ -118,8 +177,19 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn mode(&self, pair: &Eigenpair) -> AveragedMode {
-        let motion = ModeMotion::new(pair, &self.mass);
+    /// The modes of pairs. Uncoupled blades of an even number have one value in the collective and the differential
+    /// pattern: they are separated.
+    fn modes(&self, pairs: &[Eigenpair]) -> Vec<AveragedMode> {
+        let motions = pairs.iter().map(|pair| ModeMotion::new(pair, &self.mass));
+        let mut motions: Vec<_> = motions.collect();
+        let value = |pair: &Eigenpair| Complex::new(pair.growth, pair.angular_frequency);
+        let values: Vec<_> = pairs.iter().map(value).collect();
+        separate_by(&mut motions, &values, |a, b| self.names.form(a, b));
+        let both = pairs.iter().zip(motions);
+        both.map(|(pair, motion)| self.mode(pair, motion)).collect()
+    }
+
+    fn mode(&self, pair: &Eigenpair, motion: ModeMotion) -> AveragedMode {
         let size = pair.growth.hypot(pair.angular_frequency);
         let is_real = pair.angular_frequency.abs() <= REAL * size;
         let frequency = if is_real { 0.0 } else { pair.angular_frequency };

@@ -80,7 +80,7 @@ impl<'a> Names<'a> {
     /// The name of a mode with an exponent of the fixed frame whose frequency is not negative; `is_real` if
     /// it does not oscillate there.
     pub fn of(&self, motion: &ModeMotion, exponent: Complex<f64>, is_real: bool) -> Named {
-        let tower = ModeKind::of_tower(motion.of_tower(&self.axes));
+        let tower = ModeKind::main_of_tower(motion.of_tower(&self.axes));
         let tower = tower.map(|kind| kind.word().to_owned());
         let support = tower.or_else(|| support(self.model, self.coordinates, motion));
         let pattern = match support {
@@ -91,7 +91,7 @@ impl<'a> Names<'a> {
         let relative = exponent.im - turns;
         let oscillates = !is_real && relative.abs() > OSCILLATES * exponent.re.abs();
         let is_turned = oscillates && relative < 0.0;
-        let kind = || ModeKind::of(&motion.shares(&self.axes)).word_in(self.words);
+        let kind = || ModeKind::main(&motion.shares(&self.axes)).word_in(self.words);
         let own = support.unwrap_or_else(|| match pattern.as_ref().and_then(Pattern::owner) {
             Some(rotor) => format!("{rotor} {}", kind()),
             None => kind().to_owned(),
@@ -113,7 +113,11 @@ impl<'a> Names<'a> {
     fn whirl(&self, motion: &ModeMotion) -> Option<Pattern<'a>> {
         let rotors = &self.coordinates.rotors;
         let of_rotors: Vec<_> = (0..rotors.len())
-            .map(|own| self.energies(motion, own))
+            .map(|own| self.energies([motion; 2], own))
+            .collect();
+        let of_rotors: Vec<Vec<f64>> = of_rotors
+            .into_iter()
+            .map(|own| own.iter().map(|energy| energy.re).collect())
             .collect();
         let sums: Vec<f64> = of_rotors.iter().map(|own| own.iter().sum()).collect();
         let total: f64 = sums.iter().sum();
@@ -144,14 +148,25 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// Energies of the patterns of a rotor: collective, then one and minus one wave, and so on; last the
+    /// The energies of all patterns of two modes, each times a number of its own: modes of equal values are pure in
+    /// combinations that are the vectors of this form.
+    pub fn form(&self, a: &ModeMotion, b: &ModeMotion) -> Complex<f64> {
+        let rotors = 0..self.coordinates.rotors.len();
+        let energies = rotors.flat_map(|rotor| self.energies([a, b], rotor));
+        let numbered = energies.zip(1..);
+        numbered
+            .map(|(energy, number)| energy * f64::from(number))
+            .sum()
+    }
+
+    /// Energies of the patterns of a rotor, of the motion of one mode and the momentum of another: collective, then one and minus one wave, and so on; last the
     /// differential one of an even number of blades.
-    fn energies(&self, motion: &ModeMotion, rotor: usize) -> Vec<f64> {
-        let [q, p] = motion.parts();
+    fn energies(&self, [a, b]: [&ModeMotion; 2], rotor: usize) -> Vec<Complex<f64>> {
+        let [q, p] = [a.parts()[0], b.parts()[1]];
         let coordinates = self.coordinates;
         let own = &coordinates.rotors[rotor];
         let n = own.count;
-        let mut energies = vec![0.0; n];
+        let mut energies = vec![Complex::from(0.0); n];
         for family in coordinates.families_of(rotor) {
             let firsts = family.iter().map(|slot| coordinates.slots[*slot].first);
             let is_motion = |first: &usize| {
@@ -164,13 +179,13 @@ impl<'a> Names<'a> {
             let Some(places) = places else { continue };
             for along in 0..3 {
                 let at = |j: usize| (q[places[j] + along], p[places[j] + along]);
-                let energy = |(q, p): (Complex<f64>, Complex<f64>)| (q.conj() * p).re;
+                let energy = |(q, p): (Complex<f64>, Complex<f64>)| q.conj() * p;
                 energies[0] += energy(at(0));
                 for wave in 0..own.waves() {
                     let [cos, sin] = [at(1 + 2 * wave), at(2 + 2 * wave)];
                     for (place, sign) in [(1 + 2 * wave, 1.0), (2 + 2 * wave, -1.0)] {
                         let i = Complex::new(0.0, sign);
-                        energies[place] += 0.5 * energy((cos.0 + i * sin.0, cos.1 + i * sin.1));
+                        energies[place] += energy((cos.0 + i * sin.0, cos.1 + i * sin.1)) * 0.5;
                     }
                 }
                 if n.is_multiple_of(2) {

@@ -17,7 +17,7 @@ use crate::model::NODE_UNKNOWNS;
 use crate::modes::ModeMotion;
 
 /// Least part of the energy outside the blades for a name of their own.
-const MOST: f64 = 0.6;
+const MOST: f64 = 0.5;
 /// Largest part of the axis along the vertical for which the axis is level.
 const LEVEL: f64 = 0.7;
 /// Unknowns of motion of a node.

@@ -265,14 +265,14 @@ impl Observer<'_> {
         content: &Content,
         m: i32,
         exponent: Complex<f64>,
-    ) -> Option<(Named, String)> {
+    ) -> Option<(Named, String, ModeMotion)> {
         let own = self.in_blades.as_ref()?;
         let motion = own.motion(content, (m, exponent.im < 0.0), self.masses.len());
         let names = Names::new(self.model, &own.coordinates, self.words);
         let exponent = Complex::new(exponent.re, exponent.im.abs());
         let named = names.of(&motion, exponent, exponent.im == 0.0);
         let pattern = names.pattern(named.whirl);
-        Some((named, pattern))
+        Some((named, pattern, motion))
     }
 }
 

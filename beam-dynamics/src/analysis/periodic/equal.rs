@@ -12,14 +12,16 @@ use crate::model::NODE_UNKNOWNS;
 use crate::solver::{Largest, Ritz};
 
 /// Distance of equal multipliers relative to their size.
-const EQUAL: f64 = 1e-8;
+const EQUAL: f64 = 1e-6;
+/// Error of multipliers by the round-off of the period, in size up to one: strongly damped ones differ by it.
+const ROUND_OFF: f64 = 1e-11;
 
 /// Replaces modes of equal multipliers by pure ones; `sizes` are the ones of the unknowns.
 pub(super) fn separate(found: &mut Largest, observer: &Observer<'_>, sizes: &[f64]) {
     let pairs = &mut found.pairs;
     for first in 0..pairs.len() {
         let value = pairs[first].value;
-        let is_equal = |own: &Ritz| (own.value - value).norm() <= EQUAL * value.norm();
+        let is_equal = |own: &Ritz| (own.value - value).norm() <= EQUAL * value.norm() + ROUND_OFF;
         let copies: Vec<_> = (0..pairs.len()).filter(|i| is_equal(&pairs[*i])).collect();
         if copies.len() < 2 || copies[0] != first {
             continue;

@@ -159,7 +159,8 @@ fn mode(
     };
     let exponent = Complex::new(principal.re, principal.im + f64::from(branch) * base);
     let named = observer.named(&content, branch, exponent);
-    let (named, pattern) = named.map_or((None, None), |(own, pattern)| (Some(own), Some(pattern)));
+    let in_coordinates = named.as_ref().map(|own| own.2.parts().map(<[_]>::to_vec));
+    let (named, pattern) = named.map_or((None, None), |own| (Some(own.0), Some(own.1)));
     let largest = chosen.or(content.shares.first());
     FloquetMode {
         multiplier,
@@ -169,6 +170,7 @@ fn mode(
         others: others.map(seen).collect(),
         residual,
         error: None,
+        in_coordinates: in_coordinates.unwrap_or_default(),
         in_blades: named
             .as_ref()
             .map_or(frequency(branch), |own| own.in_blades),

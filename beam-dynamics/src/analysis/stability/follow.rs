@@ -82,7 +82,8 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
     found
 }
 
-/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. A
+/// Numbers the modes through all points and keeps the frequency of each mode; returns their names. Roots whose
+/// names identify them are the mode of this name. Others are followed: a
 /// mode that was missing continues where a root of its name and pattern is near to its last one. New
 /// modes of a point are named by ascending frequency in the axes of the blades.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
@@ -92,12 +93,13 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     for index in 0..points.len() {
         let (before, rest) = points.split_at_mut(index);
         let roots = &mut rest[0].roots;
-        let mut modes = vec![None; roots.len()];
+        let mut modes: Vec<_> = roots.iter().map(|root| known(&names, root)).collect();
         let present = before.last().map_or(&[][..], |before| &before.modes);
-        let absent: Vec<_> = (0..last.len())
-            .filter(|mode| !present.contains(mode))
-            .collect();
-        continued(present, (&last, false), roots, &mut modes);
+        let free = |mode: &usize| !last[*mode].is_named;
+        let (present, absent): (Vec<_>, Vec<_>) = (0..last.len())
+            .filter(free)
+            .partition(|mode| present.contains(mode));
+        continued(&present, (&last, false), roots, &mut modes);
         continued(&absent, (&last, true), roots, &mut modes);
         let mut new: Vec<_> = (0..modes.len()).filter(|i| modes[*i].is_none()).collect();
         // Real roots that are no overdamped modes after the oscillations.
@@ -124,6 +126,13 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
     names
 }
 
+/// The mode of this name, if names identify modes.
+fn known(names: &[String], root: &StabilityRoot) -> Option<usize> {
+    let name = numbered(root, root.number);
+    let index = names.iter().position(|other| *other == name);
+    index.filter(|_| root.is_named)
+}
+
 /// Gives roots without a mode the ones of `candidates` that they continue, from the last root of each.
 /// Modes that were `absent` have the names of the roots.
 fn continued(
@@ -132,7 +141,8 @@ fn continued(
     roots: &mut [StabilityRoot],
     modes: &mut [Option<usize>],
 ) {
-    let free: Vec<_> = (0..roots.len()).filter(|i| modes[*i].is_none()).collect();
+    let is_free = |i: &usize| modes[*i].is_none() && !roots[*i].is_named;
+    let free: Vec<_> = (0..roots.len()).filter(is_free).collect();
     let before: Vec<_> = candidates.iter().map(|mode| last[*mode].clone()).collect();
     let after: Vec<_> = free.iter().map(|index| roots[*index].clone()).collect();
     let key = |root: &StabilityRoot| (root.name.clone(), root.pattern.clone());
@@ -149,17 +159,21 @@ fn continued(
 
 /// A name that no mode has, from the number of the root on.
 fn new_name(names: &[String], root: &StabilityRoot) -> String {
+    let mut numbers = (root.number..).map(|number| numbered(root, number));
+    numbers
+        .find(|name| !names.contains(name))
+        .unwrap_or_else(|| root.name.clone())
+}
+
+/// The name of a root with a number.
+fn numbered(root: &StabilityRoot, number: usize) -> String {
     let stem = &root.name;
-    let numbered = |number: usize| match (&root.pattern, number) {
+    match (&root.pattern, number) {
         (Some(pattern), _) => format!("{stem} {number}{pattern}"),
         (None, _) if stem.is_empty() => format!("mode {number}"),
         (None, 1) => stem.clone(),
         (None, _) => format!("{stem} ({number})"),
-    };
-    let mut numbers = (root.number..).map(numbered);
-    numbers
-        .find(|name| !names.contains(name))
-        .unwrap_or_else(|| stem.clone())
+    }
 }
 
 #[cfg(test)]

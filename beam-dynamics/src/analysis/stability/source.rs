@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 use shared_geom::error::Diagnostics;
 
-use crate::analysis::averaged::{AveragedMode, averaged_modes, possible};
+use crate::analysis::averaged::{AveragedMode, averaged_modes, modes_without_air, possible};
 use crate::analysis::multiblade::pattern;
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
@@ -19,6 +19,7 @@ use crate::result::{
 mod branches;
 mod of_modes;
 
+use super::names::{give_names, named};
 use branches::Branches;
 
 /// Multipliers above this size are shown.
@@ -56,6 +57,8 @@ pub(super) struct Source<'a> {
     /// Least frequency up to which the oscillations of averaged equations are complete, if others
     /// may be above it [rad/s].
     complete_to: Option<f64>,
+    /// Whether modes in turning axes have patterns of two blades with two frequencies in the fixed frame.
+    is_double: bool,
 }
 
 impl<'a> Source<'a> {
@@ -72,7 +75,13 @@ impl<'a> Source<'a> {
             branches: Branches::default(),
             count: settings.count.unwrap_or(COMPUTED[0]),
             complete_to: None,
+            is_double: false,
         }
+    }
+
+    /// Whether modes in turning axes have patterns of two blades with two frequencies in the fixed frame.
+    pub fn is_double(&self) -> bool {
+        self.is_double
     }
 
     /// The bound of the search by averaged equations as a remark, if there is one.
@@ -186,10 +195,34 @@ impl<'a> Source<'a> {
                 || self.count >= COMPUTED[1]
                 || shows_all(&table, self.count);
             if is_complete {
-                return Ok(self.shown(&table, period, self.counts_errors(at)?));
+                let vacuum = self.vacuum_of_period(at, table.modes.len())?;
+                return Ok(self.shown((&table, vacuum), period, self.counts_errors(at)?));
             }
             self.count = (2 * self.count).min(COMPUTED[1]);
         }
+    }
+
+    /// The averaged modes without air about the periodic motion at a value, and whether the air has states.
+    fn vacuum_of_period(
+        &self,
+        at: f64,
+        wanted: usize,
+    ) -> Result<Option<(Vec<StabilityRoot>, bool)>, Failed> {
+        let input = self.input(at)?;
+        let known = self.known.iter().find(|known| known.at == at);
+        let Some((settings, known)) = input.periodic.as_ref().zip(known) else {
+            return Ok(None);
+        };
+        let words = self.words(&input);
+        let modes = modes_without_air(&input.model, settings, &known.state, (wanted, words));
+        let has_states = !input.model.system.scalars().is_empty();
+        Ok(modes.map(|modes| (averaged_roots(&modes, words), has_states)))
+    }
+
+    /// Words in the names of modes.
+    fn words(&self, input: &Input) -> Words {
+        let style = input.modes.as_ref().map(|own| own.style.words);
+        self.settings.words.or(style).unwrap_or_default()
     }
 
     /// By the averaged equations about the periodic motion.
@@ -203,8 +236,7 @@ impl<'a> Source<'a> {
         let known = self.known.iter().find(|known| known.at == at);
         let both = input.periodic.as_ref().zip(known);
         let (settings, known) = both.ok_or_else(|| nothing("there is no periodic motion"))?;
-        let style = input.modes.as_ref().map(|own| own.style.words);
-        let words = self.settings.words.or(style).unwrap_or_default();
+        let words = self.words(&input);
         let wanted = COMPUTED[0].max(self.settings.count.unwrap_or(0));
         let found = averaged_modes(&input.model, settings, &known.state, (wanted, words))?;
         let is_counted = self.settings.count.is_some();
@@ -214,7 +246,10 @@ impl<'a> Source<'a> {
         }
         let mut modes = found.modes;
         modes.retain(|mode| is_counted || mode.named.oscillates || mode.is_slow);
-        Ok(averaged_roots(&modes, words))
+        let has_states = !input.model.system.scalars().is_empty();
+        let vacuum = found.vacuum.map(|modes| averaged_roots(&modes, words));
+        let vacuum = vacuum.map(|modes| (modes, has_states));
+        Ok(named(averaged_roots(&modes, words), vacuum))
     }
 
     /// The periodic motion from the nearest known one, or from the start of the file.
@@ -243,12 +278,29 @@ impl<'a> Source<'a> {
     }
 
     /// The roots of the large multipliers, or all if their number is given.
-    fn shown(&self, table: &FloquetTable, period: f64, doubts: bool) -> Vec<StabilityRoot> {
-        let roots = table
+    fn shown(
+        &self,
+        (table, vacuum): (&FloquetTable, Option<(Vec<StabilityRoot>, bool)>),
+        period: f64,
+        doubts: bool,
+    ) -> Vec<StabilityRoot> {
+        let modes = table.modes.iter();
+        let mut roots: Vec<_> = modes
+            .map(|mode| root_of_period(mode, period, doubts))
+            .collect();
+        // The shapes for names are in multiblade coordinates.
+        let mut shapes: Vec<_> = table
             .modes
             .iter()
-            .map(|mode| root_of_period(mode, period, doubts));
-        let mut roots = numbered(roots.collect());
+            .map(|mode| mode.in_coordinates.clone())
+            .collect();
+        let exchange = |roots: &mut [StabilityRoot], shapes: &mut [_]| {
+            let both = roots.iter_mut().zip(shapes);
+            both.for_each(|(root, shape)| std::mem::swap(&mut root.shape, shape));
+        };
+        exchange(&mut roots, &mut shapes);
+        give_names(&mut roots, vacuum);
+        exchange(&mut roots, &mut shapes);
         // The table is by falling size.
         roots.sort_by(|a, b| b.growth().total_cmp(&a.growth()));
         let mut sum = 0;
@@ -306,21 +358,7 @@ fn nothing(reason: &str) -> Failed {
 /// Modes of averaged equations; their frequencies are the ones in the fixed frame.
 fn averaged_roots(modes: &[AveragedMode], words: Words) -> Vec<StabilityRoot> {
     let roots = modes.iter().map(|mode| averaged_root(mode, words));
-    numbered(roots.collect())
-}
-
-/// Gives each root its number among all of its name, by ascending frequency in the axes of the blades.
-fn numbered(mut roots: Vec<StabilityRoot>) -> Vec<StabilityRoot> {
-    roots.sort_by(|a, b| a.in_blades.total_cmp(&b.in_blades));
-    for index in 0..roots.len() {
-        let own = &roots[index];
-        let is_alike = |root: &&StabilityRoot| {
-            (&root.name, &root.pattern) == (&own.name, &own.pattern) && own.pattern.is_some()
-        };
-        let number = 1 + roots[..index].iter().filter(is_alike).count();
-        roots[index].number = number;
-    }
-    roots
+    roots.collect()
 }
 
 fn averaged_root(mode: &AveragedMode, words: Words) -> StabilityRoot {

@@ -27,7 +27,8 @@ pub(super) fn patterns(fixed: &FixedTable, table: &FrequencyTable) -> Vec<(usize
         }
         let whirl = Whirl {
             harmonic: line.harmonic,
-            blades,
+            // The two waves of two blades run around the rotor.
+            blades: if line.harmonic == 0 { blades } else { 0 },
             share: 1.0,
         };
         let shift = match line.harmonic {
@@ -37,7 +38,7 @@ pub(super) fn patterns(fixed: &FixedTable, table: &FrequencyTable) -> Vec<(usize
         };
         let word = match number {
             2 => "several waves".to_owned(),
-            0 if blades > 0 && blades.is_multiple_of(2) => "collective, differential".to_owned(),
+            0 if blades > 2 && blades.is_multiple_of(2) => "collective, differential".to_owned(),
             _ => whirl.word_in(table.style.words),
         };
         found.push((number, format!("{word}{shift}")));

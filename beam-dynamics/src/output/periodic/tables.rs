@@ -77,6 +77,7 @@ mod tests {
             name: "node \"a\": rotation about y".to_owned(),
             pattern: None,
             in_blades: 0.0,
+            in_coordinates: Default::default(),
             is_neutral: false,
         };
         let table = FloquetTable {

@@ -7,11 +7,12 @@ use super::{Failed, ROUND_OFF, Source, nothing};
 use crate::analysis::around_the_axis::{copies, rotor};
 use crate::analysis::linearized::{Linearized, describe, point_of};
 use crate::analysis::modes::Failure;
+use crate::analysis::stability::names::named;
 use crate::analysis::steady::{Equilibrium, equilibrium};
 use crate::analysis::trim::fits;
-use crate::case::Words;
+use crate::case::{Model, Words};
 use crate::input::Input;
-use crate::modes::{Eigenpair, ModeMotion};
+use crate::modes::{Eigenpair, ModeMotion, Rotor};
 use crate::result::{BoundaryKind, ModePoint, StabilityRoot, Whirl};
 use crate::solver::LinearSolver;
 
@@ -23,6 +24,7 @@ impl Source<'_> {
             self.complete_from_nearest(at);
         }
         let (input, steady) = self.about(at)?;
+        self.is_double |= input.model.around_the_axis(true).len() == 2;
         let found = self.branches.at(at);
         let found = found.ok_or_else(|| nothing("there are no modes"))?;
         Ok(self.roots_of(&input, &steady, found))
@@ -130,13 +132,53 @@ impl Source<'_> {
             let pairs = pairs.iter().zip(motions);
             pairs.map(move |(pair, motion)| (pair, motion, root))
         });
-        let roots = all.map(|(pair, motion, root)| {
-            let mut point = point_of(pair.growth, pair.angular_frequency);
-            describe((model, rotor.as_ref()), &motion, &mut point);
-            root((&point, &motion), speed, words)
-        });
-        roots.collect()
+        let seen = Seen {
+            of: (model, rotor.as_ref()),
+            speed,
+            words,
+        };
+        let roots = all.map(|(pair, motion, root)| seen.root((pair, &motion), root));
+        let known = found.oscillations.iter().chain(&found.overdamped);
+        let vacuum = vacuum((&linearized, steady), known, &seen);
+        let has_states = !model.system.scalars().is_empty();
+        named(roots.collect(), vacuum.map(|modes| (modes, has_states)))
     }
+}
+
+/// The model in which modes are seen.
+struct Seen<'a> {
+    of: (&'a Model, Option<&'a Rotor>),
+    speed: f64,
+    words: Words,
+}
+
+impl Seen<'_> {
+    fn root(&self, (pair, motion): (&Eigenpair, &ModeMotion), root: Root) -> StabilityRoot {
+        let mut point = point_of(pair.growth, pair.angular_frequency);
+        describe(self.of, motion, &mut point);
+        root((&point, motion), self.speed, self.words)
+    }
+}
+
+/// The modes without air at the same state, as many as there are `known` ones with air, and some beyond them;
+/// `None` if no air acts.
+fn vacuum<'a>(
+    (linearized, steady): (&Linearized<'_>, &Equilibrium),
+    known: impl Iterator<Item = &'a Eigenpair>,
+    seen: &Seen<'_>,
+) -> Option<Vec<StabilityRoot>> {
+    let alone = linearized.without_air(steady)?;
+    let sizes: Vec<_> = known
+        .map(|pair| pair.growth.hypot(pair.angular_frequency))
+        .filter(|size| *size > 0.0)
+        .collect();
+    let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
+    let solver = LinearSolver::new(seen.of.0.system.pattern());
+    let problem = alone.problem_near(&solver, least)?;
+    let pairs = problem.structural(sizes.len() + copies(seen.of.0));
+    let motions = alone.motions(&pairs, |pair| pair.angular_frequency, seen.of.1);
+    let both = pairs.iter().zip(&motions);
+    Some(both.map(|both| seen.root(both, root)).collect())
 }
 
 /// A root of a mode, by the speed of the rotor \[rad/s\].
@@ -196,7 +238,7 @@ fn described(
         } else {
             BoundaryKind::Flutter
         },
-        name: point.kind().word_in(words).to_owned(),
+        name: point.main_kind().word_in(words).to_owned(),
         in_blades: TAU * point.frequency,
         pattern: Some(pattern),
         waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),

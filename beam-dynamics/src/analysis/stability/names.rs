@@ -1,0 +1,178 @@
+//! Names of roots by the modes without air at the same value of the parameter.
+//!
+//! The modes without air have the kind of their own motion, and a number by ascending frequency among those of
+//! one kind and pattern. A root s with the shape x has the name of the mode i w with the shape y for which
+//!
+//! ```text
+//! c = | |s| - w | / max(|s|, w) + 3 (1 - MAC) < 2                                      (D-425)
+//! ```
+//!
+//! is least. The air damps a flapping motion, but hardly changes |s|, which is the root of its stiffness over
+//! its mass. Pairs are taken by rising c, each mode and each root once, oscillations before motions that
+//! decay without oscillation. Roots that decay and are no mode without air are the air's own: lags of its
+//! induced velocities, of its circulation and of its separation. Without states of the air there are none.
+//! The blades follow the slow ones of these without inertia: a root that decays with
+//!
+//! ```text
+//! |s|^2 < w^2 / 4                                                                      (D-426)
+//! ```
+//!
+//! the kinetic energy as a part of the potential one, is not the mode of this shape where the air has states.
+//!
+//! So the name of a root depends on the state at its value alone, and not on other values of a sweep.
+
+use crate::result::StabilityRoot;
+
+/// Weight of the shape beside the size of the root [-].
+const WEIGHT: f64 = 3.0;
+/// Largest c of a root and its mode.
+const SAME: f64 = 2.0;
+/// Frequency in the axes of the blades, relative to the growth, that is round-off.
+const REAL: f64 = 1e-6;
+/// Part of the potential energy below which the kinetic energy of a root is the one of a motion that follows
+/// the air.
+const INERTIA: f64 = 0.25;
+/// The name of roots of states of the air.
+const OF_AIR: &str = "aerodynamic";
+
+/// The roots of a value with names and numbers that identify them at all values. Of a model in air `vacuum` has
+/// its modes without air, and whether the air has states.
+pub(super) fn named(mut roots: Vec<StabilityRoot>, vacuum: Vacuum) -> Vec<StabilityRoot> {
+    give_names(&mut roots, vacuum);
+    let is_same = |a: &StabilityRoot, b: &StabilityRoot| is_alike(a, b) && a.number == b.number;
+    let is_once = |root: &StabilityRoot| roots.iter().filter(|own| is_same(own, root)).count() == 1;
+    let once: Vec<_> = roots.iter().map(is_once).collect();
+    let both = roots.iter_mut().zip(once);
+    both.for_each(|(root, is_once)| root.is_named = is_once);
+    roots
+}
+
+/// Modes without air, and whether the air has states; `None` if no air acts or they are not known.
+pub(super) type Vacuum = Option<(Vec<StabilityRoot>, bool)>;
+
+/// Gives the roots of a value names and numbers.
+pub(super) fn give_names(roots: &mut [StabilityRoot], vacuum: Vacuum) {
+    match vacuum {
+        Some(vacuum) => from_vacuum(roots, vacuum),
+        None => number(roots),
+    }
+}
+
+/// Gives each root its number among all of its name, by ascending frequency in the axes of the blades;
+/// oscillations before others.
+fn number(roots: &mut [StabilityRoot]) {
+    let order = order(roots);
+    for (place, &index) in order.iter().enumerate() {
+        let own = &roots[index];
+        let before = order[..place].iter().map(|other| &roots[*other]);
+        roots[index].number = 1 + before.filter(|root| is_alike(root, own)).count();
+    }
+}
+
+/// Indices by ascending frequency in the axes of the blades, of roots that do not oscillate last.
+fn order(roots: &[StabilityRoot]) -> Vec<usize> {
+    let mut order: Vec<_> = (0..roots.len()).collect();
+    order.sort_by(|a, b| {
+        let [a, b] = [&roots[*a], &roots[*b]];
+        let by_kind = is_real(a).cmp(&is_real(b));
+        by_kind.then(a.in_blades.total_cmp(&b.in_blades))
+    });
+    order
+}
+
+/// Whether it does not oscillate, and is no mode that does at other values.
+fn is_real(root: &StabilityRoot) -> bool {
+    root.in_blades <= REAL * root.growth().abs() && !root.is_overdamped
+}
+
+fn is_alike(a: &StabilityRoot, b: &StabilityRoot) -> bool {
+    (&a.name, &a.pattern) == (&b.name, &b.pattern) && b.pattern.is_some()
+}
+
+/// Gives the roots the names and numbers of the modes without air, or of the air.
+fn from_vacuum(roots: &mut [StabilityRoot], (mut modes, has_states): (Vec<StabilityRoot>, bool)) {
+    number(&mut modes);
+    let mode_of = assigned(roots, (&modes, has_states));
+    for (root, mode) in roots.iter_mut().zip(&mode_of) {
+        match mode {
+            Some(mode) => take(root, &modes[*mode]),
+            None if has_states && root.growth() < 0.0 => OF_AIR.clone_into(&mut root.name),
+            None => {}
+        }
+    }
+    let order = order(roots);
+    let mut others: Vec<usize> = Vec::new();
+    for index in order.into_iter().filter(|index| mode_of[*index].is_none()) {
+        let own = &roots[index];
+        let of_modes = modes.iter().filter(|mode| is_alike(mode, own)).count();
+        let before = others.iter().filter(|other| is_alike(&roots[**other], own));
+        roots[index].number = 1 + of_modes + before.count();
+        others.push(index);
+    }
+}
+
+/// The index of the mode of each root; `None` for roots that are no mode.
+fn assigned(
+    roots: &[StabilityRoot],
+    (modes, has_states): (&[StabilityRoot], bool),
+) -> Vec<Option<usize>> {
+    let mut mode_of = vec![None; roots.len()];
+    for of_real in [false, true] {
+        let free = (0..roots.len()).filter(|i| is_real(&roots[*i]) == of_real);
+        let pairs = free.flat_map(|i| (0..modes.len()).map(move |j| (i, j)));
+        let is_slow = |(i, j): &(usize, usize)| has_states && follows(&roots[*i], &modes[*j]);
+        let pairs = pairs.filter(|pair| !is_slow(pair));
+        let pairs = pairs.map(|(i, j)| (cost(&roots[i], &modes[j]), i, j));
+        assign(pairs.collect(), &mut mode_of);
+    }
+    mode_of
+}
+
+/// Gives the name of a mode to a root. A root without one pattern has its frequency in the axes of the blades, and no
+/// pattern in its name.
+fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
+    root.name.clone_from(&mode.name);
+    if root.pattern.as_deref() != Some("") {
+        root.pattern.clone_from(&mode.pattern);
+    }
+    root.number = mode.number;
+}
+
+/// Assigns free modes to free roots by rising cost: pairs of cost, root and mode.
+fn assign(mut pairs: Vec<(f64, usize, usize)>, mode_of: &mut [Option<usize>]) {
+    pairs.retain(|pair| pair.0 < SAME);
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+    for (_, root, mode) in pairs {
+        if mode_of[root].is_none() && !mode_of.contains(&Some(mode)) {
+            mode_of[root] = Some(mode);
+        }
+    }
+}
+
+/// Magnitude in the axes of the blades \[1/s\].
+fn size(root: &StabilityRoot) -> f64 {
+    root.growth().hypot(root.in_blades)
+}
+
+/// Whether the blades follow a root that decays without inertia (D-426), and that is no mode which oscillates at
+/// other values.
+fn follows(root: &StabilityRoot, mode: &StabilityRoot) -> bool {
+    root.growth() < 0.0 && !root.is_overdamped && size(root).powi(2) < INERTIA * size(mode).powi(2)
+}
+
+/// Whether the blades move in different patterns: in the fixed frame a progressive mode and the conjugate of a
+/// regressive one have one shape.
+fn differ(a: &StabilityRoot, b: &StabilityRoot) -> bool {
+    let [a, b] = [a, b].map(|root| root.pattern.as_deref().unwrap_or_default());
+    !a.is_empty() && !b.is_empty() && a != b
+}
+
+/// c of a root and a mode without air (D-425).
+fn cost(root: &StabilityRoot, mode: &StabilityRoot) -> f64 {
+    let Some(mac) = root.assurance(mode).filter(|_| !differ(root, mode)) else {
+        return f64::INFINITY;
+    };
+    let sizes = [root, mode].map(size);
+    let larger = sizes[0].max(sizes[1]).max(f64::MIN_POSITIVE);
+    (sizes[0] - sizes[1]).abs() / larger + WEIGHT * (1.0 - mac)
+}
