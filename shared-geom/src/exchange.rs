@@ -403,18 +403,15 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
     let text = read_text(path)?;
     FileKind::Blade.require(path, &text)?;
     let (format, reading) = parse(&text, path, options)?;
+    let location = || SourceLocation::file(path.display().to_string());
     if let Some(body) = options.body.as_ref().filter(|_| !hawc2::has_bodies(&text)) {
-        let location = SourceLocation::file(path.display().to_string());
-        return Err(Diagnostics::one(
-            location,
-            &ExchangeProblem::no_bodies(body),
-        ));
+        let problem = ExchangeProblem::no_bodies(body);
+        return Err(Diagnostics::one(location(), &problem));
     }
     // An invalid line cannot be described either.
     let found = reading.blade.length();
     if !found.is_finite() {
-        let location = SourceLocation::file(path.display().to_string());
-        return Err(Diagnostics::one(location, &LineProblem::Length { found }));
+        return Err(Diagnostics::one(location(), &LineProblem::Length { found }));
     }
     Ok((format, reading))
 }
@@ -455,7 +452,7 @@ pub fn parse(text: &str, path: &Path, options: &Options) -> Result<(Format, Read
     }
     reading
         .remarks
-        .extend(unused_length(&reading.blade, options));
+        .extend(stations::unused_length(&reading.blade, options));
     // Readers of Helicoid's files check the blade: they have replaced it before.
     if options.rigid_shear && door.format != Format::Helicoid {
         reading.make_shear_rigid();
@@ -485,19 +482,6 @@ pub fn write(blade: &Blade, format: Format, name: &str) -> Result<Writing, Excha
 /// A text that is no windIO file, or whose tables cannot be replaced line by line.
 pub fn write_into(blade: &Blade, existing: &str, path: &Path) -> Result<Writing, Diagnostics> {
     windio::write_into(blade, existing, path)
-}
-
-/// Remark on a length that was given for a file with its own line.
-fn unused_length(blade: &Blade, options: &Options) -> Option<String> {
-    const SAME: f64 = 1e-9;
-    let (given, length) = (options.length?, blade.length());
-    let is_same = (given - length).abs() <= SAME * length;
-    (!is_same).then(|| {
-        format!(
-            "the length {given} m that was given is not used: the file has a line of its own, \
-             {length} m long"
-        )
-    })
 }
 
 /// Titles of the formats that are read.

@@ -7,6 +7,7 @@ use crate::hash::{sha256_of, sha256_of_content};
 use crate::line::{Course, LinePoint, ReferenceLine};
 use crate::section::Provenance;
 
+use super::Options;
 use super::problem::{ExchangeProblem, Problems};
 
 /// Asymmetry of a matrix, relative to the roots of its diagonal entries, that rounded
@@ -230,4 +231,17 @@ pub(super) fn apart(a: &ReferenceLine, b: &ReferenceLine) -> (f64, f64) {
         twist = twist.max((here.twist - there.twist).abs());
     }
     (distance, twist)
+}
+
+/// Remark on a length that was given for a file with its own line.
+pub(super) fn unused_length(blade: &Blade, options: &Options) -> Option<String> {
+    const SAME: f64 = 1e-9;
+    let (given, length) = (options.length?, blade.length());
+    let is_same = (given - length).abs() <= SAME * length;
+    (!is_same).then(|| {
+        format!(
+            "the length {given} m that was given is not used: the file has a line of its own, \
+             {length} m long"
+        )
+    })
 }

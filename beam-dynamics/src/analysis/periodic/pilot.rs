@@ -24,6 +24,7 @@ use nalgebra::{DMatrix, DVector};
 use super::approach::{approach, can_be_approached};
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
+use super::map::PeriodMap;
 use super::passes::Passes;
 use super::shooting::{Shooting, part_of};
 use crate::analysis::effects;
@@ -105,26 +106,7 @@ fn march(
     passes: &mut Passes<'_>,
 ) -> Result<[State; 2], PeriodicFailure> {
     let border = shooting.border;
-    border.begin(state);
-    let (end, map) = flow.linearized(state)?;
-    let map = map.ok_or(PeriodicFailure::SingularStep)?;
-    let singular = |reason: Option<String>| PeriodicFailure::Singular {
-        reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
-    };
-    let response = shooting.responses(&map).ok_or_else(|| singular(None))?;
-    if let Some(reason) = border.idle(&response.means, effects::EXACT) {
-        return Err(singular(Some(reason)));
-    }
-    let mut pilot = Pilot {
-        shooting,
-        settings,
-        inverse: response.means.try_inverse().ok_or_else(|| singular(None))?,
-        turns: response.turns,
-        step: 1.0 / flow.steps() as f64,
-        filtered: border.reached(&end),
-        before: Vec::new(),
-    };
-    *state = end;
+    let (mut pilot, map) = begun(shooting, flow, (state, settings))?;
     let rows = border.sizes(shooting.sizes);
     loop {
         border.begin(state);
@@ -149,10 +131,9 @@ fn march(
             if held <= settings.tolerance {
                 return Ok([state.clone(), end]);
             }
-            let orbit = shooting.solve(flow, state, passes)?;
-            return Ok([orbit.state, orbit.end]);
         }
-        if is_slow(passes.list()) && border.at_bound(state).is_none() {
+        let is_done = part <= settings.tolerance;
+        if is_done || is_slow(passes.list()) && border.at_bound(state).is_none() {
             let orbit = shooting.solve(flow, state, passes)?;
             return Ok([orbit.state, orbit.end]);
         }
@@ -166,6 +147,36 @@ fn march(
             });
         }
     }
+}
+
+/// The auto-pilot after a period from `state`, which becomes its end, and the linearized period.
+fn begun<'a>(
+    shooting: &'a Shooting<'a>,
+    flow: &mut Flow<'_>,
+    (state, settings): (&mut State, AutoPilot),
+) -> Result<(Pilot<'a>, PeriodMap), PeriodicFailure> {
+    let border = shooting.border;
+    border.begin(state);
+    let (end, map) = flow.linearized(state)?;
+    let map = map.ok_or(PeriodicFailure::SingularStep)?;
+    let singular = |reason: Option<String>| PeriodicFailure::Singular {
+        reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
+    };
+    let response = shooting.responses(&map).ok_or_else(|| singular(None))?;
+    if let Some(reason) = border.idle(&response.means, effects::EXACT) {
+        return Err(singular(Some(reason)));
+    }
+    let pilot = Pilot {
+        shooting,
+        settings,
+        inverse: response.means.try_inverse().ok_or_else(|| singular(None))?,
+        turns: response.turns,
+        step: 1.0 / flow.steps() as f64,
+        filtered: border.reached(&end),
+        before: Vec::new(),
+    };
+    *state = end;
+    Ok((pilot, map))
 }
 
 /// Whether the smallest change of the last periods is not much smaller than the one of the periods before.

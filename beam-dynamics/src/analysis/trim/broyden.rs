@@ -25,6 +25,9 @@ const REACH: f64 = 100.0;
 /// Residuals of numbers, in the sizes of their targets.
 type Errors<'a, E> = dyn FnMut(&[f64]) -> Result<Vec<f64>, E> + 'a;
 
+/// Numbers with their residuals.
+type Found = (Vec<f64>, DVector<f64>);
+
 /// Limits of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
@@ -154,7 +157,7 @@ fn shortened<E>(
     (x, r): (&[f64], &DVector<f64>),
     mut next: Vec<f64>,
     (j, ranges): (&mut DMatrix<f64>, &[Range]),
-) -> Result<Option<(Vec<f64>, DVector<f64>)>, E> {
+) -> Result<Option<Found>, E> {
     for halvings in 0..=HALVINGS {
         match evaluate(&next).map(DVector::from_vec) {
             Ok(later) => {

@@ -166,7 +166,7 @@ fn towers_of_elastodyn_bend_fore_aft_and_sideways() {
     );
     let text = rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n");
     let path = folder.path().join("a.dynamics.toml");
-    let input = crate::input::parse(&text, &path.display().to_string());
+    let input = crate::input::parse(&text, path.display().to_string());
     let input = input.unwrap_or_else(|problems| panic!("{problems}"));
     let outcome = modes(&input.model, &input.modes.unwrap());
     assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
@@ -193,7 +193,7 @@ fn towers_of_htc_files_are_bodies_with_a_name() {
     let parsed = |keys: &str| {
         let mount = format!("[rotor.tower]\n{keys}\n[rotor.nacelle]\nmass = 5e3\n");
         let text = rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n");
-        crate::input::parse(&text, &path.display().to_string())
+        crate::input::parse(&text, path.display().to_string())
     };
     let input = parsed("height = 20\nfile = \"turbine.htc\"\nbody = \"Tower\"");
     let input = input.unwrap_or_else(|problems| panic!("{problems}"));
