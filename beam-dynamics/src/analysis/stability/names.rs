@@ -1,6 +1,6 @@
 //! Names of roots by the modes without air at the same value of the parameter.
 //!
-//! The modes without air have the kind of their own motion, and a number by ascending frequency among those of
+//! The modes without air have the kind of their own motion, and a number by ascending frequency among the modes of
 //! one kind and pattern. A root s with the shape x has the name of the mode i w with the shape y for which
 //!
 //! ```text
