@@ -160,6 +160,10 @@ fn line(
         .iter()
         .find(|one| branch.harmonic == Some(one.pattern.harmonic));
     let Seen { whirl, pattern, .. } = *named.or(pure.last())?;
+    let pattern = Whirl {
+        harmonic: wave.unwrap_or(pattern.harmonic),
+        ..pattern
+    };
     let whirl_at = |point: &ModePoint, speed: f64| {
         let own = point.whirl.filter(Whirl::is_pure);
         own.map(|whirl| of_wave(whirl, wave))
