@@ -1,7 +1,7 @@
 //! Tables of loads for `section-analyzer strength`: units, cases, positions, errors and
 //! warnings.
 
-use crate::strength::{number, rows, solved, strength};
+use crate::strength::{Row, number, rows, solved, strength};
 use crate::whole_blade::LAYUP;
 use crate::workplace::{Run, Workplace};
 
@@ -301,4 +301,42 @@ fn layers_between_stations_are_reported() {
     let fill = "line 47: fill \"core\" is there from eta 0.61 to 0.72, and at no station";
     assert_eq!(warnings(&check("0.1,0.5,0.9")), [tip, web, fill]);
     assert!(warnings(&check("0.1,0.7,0.9")).is_empty());
+}
+
+/// Under a shear force the stress beside the foot of a web changes much within cells of 80 mm: the ply is named with
+/// the factors of the point and of the mean stress of its cell, the ones of the table. Under an axial force with
+/// fibers of one direction in each layer no stress changes much, and there is no such remark.
+#[test]
+fn factors_that_depend_on_the_cells_are_named() {
+    let workplace = solved();
+    let words = "Not converged with the mesh: the reserve factor is more than 10 % below the one of the mean stress \
+                 of the cell (both in brackets)";
+    let run = strength(&workplace, "eta,shear z [N]\n0,900\n1,900\n", &[]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    println!("{}", run.out);
+    assert!(run.out.contains(words), "{}", run.out);
+    let line = run
+        .out
+        .lines()
+        .find(|line| line.contains(words))
+        .expect("the remark");
+    let rows = rows(&workplace, "b/a.strength.csv");
+    for part in line.split("ply \"").skip(1) {
+        let (ply, rest) = part.split_once("\" (").expect("factors");
+        let (factors, _) = rest.split_once(')').expect("factors");
+        let (point, cell) = factors.split_once(", ").expect("two factors");
+        let [point, cell] = [point, cell].map(|text| text.parse::<f64>().expect("a number"));
+        assert!(point < 0.9 * cell, "{part}");
+        let is_it = |row: &&Row| {
+            row["ply"] == ply && (number(row, "reserve_factor [-]") - point).abs() < 1e-3
+        };
+        let row = rows.iter().find(is_it).expect("the row of the table");
+        assert!(
+            (number(row, "reserve_factor_of_cell [-]") - cell).abs() < 1e-3,
+            "{part}"
+        );
+    }
+    let run = strength(&workplace, "eta,axial [N]\n0,900\n1,900\n", &[]);
+    assert_eq!(run.code, 0, "{}", run.err);
+    assert!(!run.out.contains("Not converged"), "{}", run.out);
 }
