@@ -7,8 +7,9 @@
 //! (A - sigma)^-1 v = mu v ,     s = sigma + 1 / mu
 //! ```
 //!
-//! which has rows of A of any size with their digits: `(A - sigma)^-1 = B^-1 D` with the rows of B of the size of
-//! one, `A - sigma = D^-1 B`.
+//! with `(A - sigma)^-1 = B^-1 D`, where the rows of B are of the size of one, `A - sigma = D^-1 B`. Values of the
+//! modes of a beam with slender sections keep eight digits over ranges of 1e6 (the tests of linear models); wider
+//! ranges lose digits.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};

@@ -1,12 +1,7 @@
 //! Names of roots by the modes without air at the same value of the parameter.
 //!
-<<<<<<< HEAD
-//! The modes without air have the kind of their own motion, and a number by ascending frequency within
-//! their kind and pattern. A root s with the shape x has the name of the mode i w with the shape y for which
-=======
 //! The modes without air have the kind of their own motion, and a number by ascending frequency among the modes of
 //! one kind and pattern. A root s with the shape x has the name of the mode i w with the shape y for which
->>>>>>> 522879fb71ea31c7796e7958962468bb3a163a76
 //!
 //! ```text
 //! c = | |s| - w | / max(|s|, w) + 3 (1 - MAC) < 2                                      (D-425)
