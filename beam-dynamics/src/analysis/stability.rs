@@ -14,6 +14,7 @@ mod scan;
 mod seen;
 mod source;
 mod touching;
+mod votes;
 
 pub use request::{Evaluate, ScanSettings};
 pub use scan::{Scan, scan};

@@ -12,6 +12,7 @@ use super::follow::{links, number};
 use super::request::{Evaluate, ScanSettings};
 use super::seen::show_most;
 use super::touching;
+use super::votes::settle;
 use crate::result::{StabilityBoundary, StabilityPoint, StabilityRoot};
 
 /// Halvings of the smallest distance of requested values.
@@ -50,6 +51,7 @@ pub fn scan(settings: &ScanSettings, evaluate: Evaluate<'_>) -> Scan {
         scanner.divide();
     }
     let mut scan = scanner.scan;
+    settle(&mut scan.points);
     scan.modes = number(&mut scan.points);
     show_most(&mut scan.points, scan.modes.len());
     if settings.boundaries {
