@@ -124,7 +124,7 @@ mod tests {
     }
 
     // One value of five calls the first mode flap 2, as the second one is called: the name of the first is of
-    // most values, in both directions, and two modes of one name at a value are told apart by their votes.
+    // most values, in both directions, and votes decide which of two modes of one name at a value keeps it.
     #[test]
     fn one_value_does_not_rename_a_mode() {
         let at = |at: f64, first: usize| {
