@@ -1,7 +1,7 @@
 //! Drives and air that are not the same a period later.
 //!
-//! A period is integrated from the same first instant again and again, so that a model whose residual at the
-//! undeformed state is another one a period later,
+//! A period is integrated from the same first instant again and again, so that a model whose residual at some
+//! state is another one a period later,
 //!
 //! ```text
 //! F(y_0, t + T) /= F(y_0, t)    at a time t of the period,
@@ -28,6 +28,10 @@ const SAME: f64 = 1e-5;
 const ROUND_OFF: f64 = 1e-11;
 /// The same of equations without terms: constraints that are met.
 const NOTHING: f64 = 1e-12;
+/// Speeds and turns of nodes of the second state \[m/s, rad/s\], and its scalars \[their units\].
+const MOTION: [f64; 3] = [7.0, 3.0, 0.7];
+/// Distance from the end of a period within which a corner is at its end, as a part of it.
+const AT_END: f64 = 1e-6;
 /// Digits of numbers.
 const DIGITS: usize = 6;
 
@@ -73,11 +77,6 @@ impl Explain for NotRepeated {
     }
 }
 
-/// Speeds and turns of nodes of the second state \[m/s, rad/s\], and its scalars \[their units\].
-const MOTION: [f64; 3] = [7.0, 3.0, 0.7];
-/// Distance from the end of a period within which a corner is at its end, as a part of it.
-const AT_END: f64 = 1e-6;
-
 /// The equation that changes most over a period, relative to its change within the period, if it is not the
 /// same at the undeformed state, or at one in motion with scalars other than zero, where drives act that
 /// are multiplied by controls and sensed quantities or need a flow.
@@ -99,7 +98,16 @@ pub(super) fn problem(model: &Model, settings: &PeriodicSettings) -> Option<NotR
     for scalar in &mut moving.scalars {
         *scalar = MOTION[2] * next();
     }
-    changed(model, settings, &rest).or_else(|| changed(model, settings, &moving))
+    let equations = 0..model
+        .system
+        .residual(&rest, &model.conditions_at(settings.start.from))
+        .values
+        .len();
+    let names: Vec<_> = equations
+        .map(|index| model.system.equation(index))
+        .collect();
+    let changed = |state: &State| changed(model, settings, (state, &names));
+    changed(&rest).or_else(|| changed(&moving))
 }
 
 /// Whether the last corner of all drives is the end of the period.
@@ -111,16 +119,16 @@ fn ends_with_period(model: &Model, [from, period]: [f64; 2]) -> bool {
 }
 
 /// The equation that changes most at a state.
-fn changed(model: &Model, settings: &PeriodicSettings, state: &State) -> Option<NotRepeated> {
-    let system = &model.system;
+fn changed(
+    model: &Model,
+    settings: &PeriodicSettings,
+    (state, names): (&State, &[Name]),
+) -> Option<NotRepeated> {
     let span = [settings.start.from, settings.period];
-    let residual = |time: f64| system.residual(state, &model.conditions_at(time));
+    let residual = |time: f64| model.system.residual(state, &model.conditions_at(time));
     let times = PARTS.map(|part| span[0] + part * span[1]);
     let pairs = times.map(|time| [residual(time), residual(time + span[1])]);
-    let names: Vec<_> = (0..pairs[0][0].values.len())
-        .map(|index| system.equation(index))
-        .collect();
-    let sizes = sizes(&names, &pairs);
+    let sizes = sizes(names, &pairs);
     let compared = if ends_with_period(model, span) {
         1
     } else {

@@ -62,9 +62,9 @@ const KEY: &str = "rotor";
 /// Difference of axes, and part of the size of the model, below which axes are the same.
 const SAME_AXIS: f64 = 1e-9;
 
-/// Turns at a first instant that is written with fewer digits than its speed, in differences of the same
-/// speed: half a thousandth of a degree.
-const WRITTEN: f64 = 1.5e3;
+/// Part of the turns by which a first instant that is written with fewer digits than the speed may be off: half
+/// a thousandth of a degree in the first turn.
+const WRITTEN: f64 = 1.5e-6;
 
 /// A rotor of an input, for checks of its analyses.
 #[derive(Debug, Clone)]
@@ -263,7 +263,7 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
             document.note(rotor.line, &RotorRunProblem::Unsteady { name, key });
         }
         let turns = rotor.speed.unwrap_or_default() * periodic.period / TAU;
-        if (turns - turns.round()).abs() > SAME_SPEED * turns.abs().max(1.0) {
+        if beyond_whole(turns, SAME_SPEED).is_some() {
             let problem = RotorRunProblem::Period {
                 name: rotor.name.clone(),
                 turns,
@@ -272,6 +272,12 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
             document.note(rotor.line, &problem);
         }
     }
+}
+
+/// The part of a turn beyond whole turns, if it is more than a part `same` of the turns.
+fn beyond_whole(turns: f64, same: f64) -> Option<f64> {
+    let beyond = turns - turns.round();
+    (beyond.abs() > same * turns.abs().max(1.0)).then_some(beyond)
 }
 
 /// Notes rotors that are between whole turns at the first instant of a run.
@@ -285,9 +291,7 @@ fn check_first_instant(document: &Document, rotors: &[PlacedRotor], analyses: &A
         for rotor in rotors {
             let speed = rotor.speed.filter(|speed| *speed != 0.0);
             let Some(speed) = speed else { continue };
-            let turns = speed * run.from / TAU;
-            let beyond = turns - turns.round();
-            if beyond.abs() > SAME_SPEED * turns.abs().max(1.0) * WRITTEN {
+            if let Some(beyond) = beyond_whole(speed * run.from / TAU, WRITTEN) {
                 let problem = RotorRunProblem::FirstInstant {
                     name: rotor.name.clone(),
                     card,

@@ -17,7 +17,7 @@ use crate::elements::beams::EVALUATION_POINTS;
 
 mod envelope;
 
-use envelope::Envelope;
+use envelope::{Envelope, LEADS, compared};
 
 /// Endings of the tables, after the analysis and the member.
 const FORCES: &str = "forces.csv";
@@ -173,7 +173,7 @@ impl SpanForces {
 impl MemberForces {
     /// The table of forces without the instants that have no extreme.
     fn extremes(&self, leads: usize) -> Result<String, RunFileProblem> {
-        let mut lead = vec![0.0; leads];
+        let instants = self.envelope.instants();
         let (mut text, mut before, mut is_extreme) = (String::new(), String::new(), true);
         self.rows.each_line(&mut |line| {
             let end = line.match_indices(',').nth(leads - 1).map(|found| found.0);
@@ -183,12 +183,17 @@ impl MemberForces {
                 before.clear();
                 before.push_str(of_line);
                 let numbers = of_line.split(',').map(str::parse::<f64>);
-                let mut is_row = true;
-                for (own, found) in lead.iter_mut().zip(numbers) {
-                    is_row &= found.is_ok();
-                    *own = found.unwrap_or_default();
-                }
-                is_extreme = !is_row || self.envelope.has(&lead);
+                let numbers: Result<Vec<_>, _> = numbers.collect();
+                // The heading has no numbers.
+                is_extreme = numbers.map_or(true, |numbers| {
+                    let mut lead = [0.0; LEADS];
+                    lead.iter_mut()
+                        .zip(numbers)
+                        .for_each(|(own, number)| *own = number);
+                    instants
+                        .binary_search_by(|known| compared(known, &lead))
+                        .is_ok()
+                });
             }
             if is_extreme {
                 text.push_str(line);

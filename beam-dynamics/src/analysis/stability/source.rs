@@ -19,7 +19,7 @@ use crate::result::{
 mod branches;
 mod of_modes;
 
-use super::names::{give_names, named};
+use super::names::{Vacuum, give_names, named};
 use branches::Branches;
 
 /// Multipliers above this size are shown.
@@ -203,11 +203,7 @@ impl<'a> Source<'a> {
     }
 
     /// The averaged modes without air about the periodic motion at a value, and whether the air has states.
-    fn vacuum_of_period(
-        &self,
-        at: f64,
-        wanted: usize,
-    ) -> Result<Option<(Vec<StabilityRoot>, bool)>, Failed> {
+    fn vacuum_of_period(&self, at: f64, wanted: usize) -> Result<Vacuum, Failed> {
         let input = self.input(at)?;
         let known = self.known.iter().find(|known| known.at == at);
         let Some((settings, known)) = input.periodic.as_ref().zip(known) else {
@@ -280,7 +276,7 @@ impl<'a> Source<'a> {
     /// The roots of the large multipliers, or all if their number is given.
     fn shown(
         &self,
-        (table, vacuum): (&FloquetTable, Option<(Vec<StabilityRoot>, bool)>),
+        (table, vacuum): (&FloquetTable, Vacuum),
         period: f64,
         doubts: bool,
     ) -> Vec<StabilityRoot> {

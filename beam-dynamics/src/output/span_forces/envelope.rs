@@ -1,11 +1,13 @@
 //! Envelope of the internal forces at points: the largest and smallest value of each component, with
 //! the other components at that instant.
 
+use std::cmp::Ordering;
+
 use nalgebra::Vector6;
 use shared_geom::wrench::COMPONENTS;
 
 /// Most numbers that name an instant.
-const LEADS: usize = 2;
+pub(super) const LEADS: usize = 2;
 /// The ends of a component, and the sign with which each is a largest value.
 const ENDS: [(&str, f64); 2] = [("max", 1.0), ("min", -1.0)];
 
@@ -36,6 +38,11 @@ pub(super) struct EnvelopeRow<'a> {
     pub force: &'a Vector6<f64>,
     /// The numbers of the instant.
     pub lead: &'a [f64; LEADS],
+}
+
+/// The order of instants by their numbers.
+pub(super) fn compared(a: &[f64; LEADS], b: &[f64; LEADS]) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
 impl Envelope {
@@ -80,10 +87,13 @@ impl Envelope {
         }
     }
 
-    /// Whether an extreme of a point is at an instant.
-    pub fn has(&self, lead: &[f64]) -> bool {
-        let mut all = self.extremes.iter().flatten().flatten().flatten();
-        all.any(|at| at.lead[..lead.len()] == *lead)
+    /// The numbers of the instants with an extreme, ascending, each once.
+    pub fn instants(&self) -> Vec<[f64; LEADS]> {
+        let all = self.extremes.iter().flatten().flatten().flatten();
+        let mut instants: Vec<_> = all.map(|at| at.lead).collect();
+        instants.sort_by(compared);
+        instants.dedup();
+        instants
     }
 
     /// The rows of the table: all points of each component and end.

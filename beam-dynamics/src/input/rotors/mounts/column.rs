@@ -37,12 +37,8 @@ impl Column {
         let (body, damping) = (table.get(&BODY), damping::read_of_file(table));
         let (properties, file, elements) = (properties?, file?, elements?);
         let (body, _) = (body?, damping?);
-        let of_file = [
-            body.map(|body| (BODY.name(), body.into())),
-            damping::copied(table),
-        ];
         let length_text = || Content::quantity(length, "m");
-        let keys = match (properties, file) {
+        let mut keys = match (properties, file) {
             (Some(properties), None) => {
                 let piece = [("length", length_text()), ("elements", elements.into())];
                 let piece = Content::table(piece);
@@ -50,23 +46,19 @@ impl Column {
                     ("properties", properties.into()),
                     ("piece", Content::list([piece])),
                 ]
-                .into_iter()
-                .chain(of_file.into_iter().flatten())
-                .collect()
             }
             (None, Some(file)) => vec![
                 ("file", file.into()),
                 ("length", length_text()),
                 ("elements", elements.into()),
-            ]
-            .into_iter()
-            .chain(of_file.into_iter().flatten())
-            .collect(),
+            ],
             _ => {
                 table.note("", &RotorProblem::OneElasticity { part });
                 return None;
             }
         };
+        keys.extend(body.map(|body| (BODY.name(), body.into())));
+        keys.extend(damping::copied(table));
         Some(Self {
             foot,
             axes,
