@@ -3,6 +3,7 @@
 use beam_dynamics::analysis::stability::stability;
 use beam_dynamics::input;
 use beam_dynamics::result::{BoundaryKind, StabilityResult, StableSide};
+use nalgebra::{Matrix2, Matrix4};
 
 mod averaged;
 mod closed_forms;
@@ -31,6 +32,24 @@ fn analyzed(cards: &str) -> StabilityResult {
     let result = attempt(cards);
     assert!(result.failures.is_empty(), "{:#?}", result.failures);
     result
+}
+
+/// The largest growth of the four roots of `M q'' + C q' + K q = 0` \[1/s\].
+fn largest_growth([m, c, k]: [Matrix2<f64>; 3]) -> f64 {
+    let inverse = m.try_inverse().unwrap();
+    let mut first = Matrix4::zeros();
+    first
+        .fixed_view_mut::<2, 2>(2, 0)
+        .copy_from(&(-inverse * k));
+    first
+        .fixed_view_mut::<2, 2>(0, 2)
+        .copy_from(&Matrix2::identity());
+    first
+        .fixed_view_mut::<2, 2>(2, 2)
+        .copy_from(&(-inverse * c));
+    let growths = first.complex_eigenvalues();
+    let growths = growths.iter().map(|root| root.re);
+    growths.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Asserts values, types and stable sides of all boundaries.

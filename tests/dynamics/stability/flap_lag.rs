@@ -18,11 +18,11 @@
 //! e = R e_x ,  c = R e_y ,  n = R e_z ,  R = R_y(-beta) R_z(zeta)
 //! ```
 
-use nalgebra::{Matrix2, Matrix3, Matrix4, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use beam_dynamics::result::{BoundaryKind, StableSide};
 
-use super::analyzed;
+use super::{analyzed, largest_growth};
 
 const SPEED: f64 = 30.0;
 const RADIUS: f64 = 2.0;
@@ -129,22 +129,7 @@ impl Blade {
             at = [at[0] - step.x, at[1] - step.y];
         }
         let [k, c, m] = [0, 1, 2].map(|kind| self.derivative(at, kind));
-        let inverse = m.try_inverse().unwrap();
-        let mut first = Matrix4::zeros();
-        first
-            .fixed_view_mut::<2, 2>(0, 2)
-            .copy_from(&Matrix2::identity());
-        first
-            .fixed_view_mut::<2, 2>(2, 0)
-            .copy_from(&(-inverse * k));
-        first
-            .fixed_view_mut::<2, 2>(2, 2)
-            .copy_from(&(-inverse * c));
-        let roots = first.complex_eigenvalues();
-        roots
-            .iter()
-            .map(|root| root.re)
-            .fold(f64::NEG_INFINITY, f64::max)
+        largest_growth([m, c, k])
     }
 
     /// The pitch \[rad\] above which the motion is unstable, by bisection, if it is below a limit.

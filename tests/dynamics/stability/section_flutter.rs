@@ -9,13 +9,13 @@
 //! (I + m s^2) theta'' - m s h'' + k_t theta = L e
 //! ```
 
-use nalgebra::{Matrix2, Matrix4};
+use nalgebra::Matrix2;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use beam_dynamics::result::{BoundaryKind, StableSide};
 
-use super::{analyzed, assert_boundaries};
+use super::{analyzed, assert_boundaries, largest_growth};
 use crate::effort::cases;
 
 const DENSITY: f64 = 1.225;
@@ -44,20 +44,8 @@ impl Wing {
         let arms = nalgebra::Vector2::new(1.0, self.ahead);
         let by_motion = arms * nalgebra::RowVector2::new(0.0, lift);
         let rates = nalgebra::RowVector2::new(-1.0, 0.5 * CHORD - self.ahead) * (lift / speed);
-        let inverse = mass.try_inverse().unwrap();
-        let a = inverse * (by_motion - Matrix2::new(h, 0.0, 0.0, theta));
-        let b = inverse * (arms * rates);
-        let mut first = Matrix4::zeros();
-        first
-            .fixed_view_mut::<2, 2>(0, 2)
-            .copy_from(&Matrix2::identity());
-        first.fixed_view_mut::<2, 2>(2, 0).copy_from(&a);
-        first.fixed_view_mut::<2, 2>(2, 2).copy_from(&b);
-        let roots = first.complex_eigenvalues();
-        roots
-            .iter()
-            .map(|root| root.re)
-            .fold(f64::NEG_INFINITY, f64::max)
+        let stiffness = Matrix2::new(h, 0.0, 0.0, theta) - by_motion;
+        largest_growth([mass, -(arms * rates), stiffness])
     }
 
     /// The speed of divergence \[m/s\].
