@@ -1,9 +1,9 @@
 //! Modes: eigenvalues of the linearized system, the motion of each mode, and the mode at
 //! the next speed that continues it.
 
+mod beside_states;
 mod continued;
 mod copies;
-mod crowded;
 mod eigen;
 mod eigenpair;
 mod factors;
@@ -12,6 +12,7 @@ mod inverse;
 mod krylov;
 mod motion;
 mod multiblade;
+mod refined;
 mod ritz;
 mod round_off;
 mod separation;
@@ -20,7 +21,6 @@ mod shift;
 mod sorted;
 mod tracking;
 mod undamped;
-mod with_air;
 
 pub use copies::is_new;
 pub use eigen::{EigenProblem, Lowest};
@@ -32,4 +32,3 @@ pub use multiblade::Rotor;
 pub use separation::{align, separate, separate_by, separate_patterns};
 pub use shaft::shaft_whirl;
 pub use tracking::{assurances, closeness, follow};
-pub use with_air::half_air;

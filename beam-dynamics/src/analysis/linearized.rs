@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use crate::assembly::{MasslessMotions, Sparse, Tangent};
+use crate::assembly::{MasslessMotions, Sparse, System, Tangent};
 use crate::case::Model;
 use crate::modes::{
-    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, half_air, separate, separate_patterns,
+    EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, separate, separate_patterns,
     shaft_whirl,
 };
 use crate::result::{ModeKind, ModePoint};
@@ -21,8 +21,8 @@ pub(super) struct Linearized<'a> {
     model: &'a Model,
     tangent: Tangent,
     massless: MasslessMotions,
-    /// The system with half of the forces of the air, if there is air.
-    half_air: Option<Tangent>,
+    /// The system without the forces of the air, if any act.
+    vacuum: Option<Tangent>,
     mass: MassMatrix,
 }
 
@@ -35,7 +35,7 @@ impl<'a> Linearized<'a> {
         Self {
             model,
             massless: MasslessMotions::new(system, &tangent),
-            half_air: half_air(system, &steady.state, &steady.conditions),
+            vacuum: vacuum(system, steady, &tangent),
             tangent,
             mass,
         }
@@ -45,7 +45,7 @@ impl<'a> Linearized<'a> {
     pub fn problem<'b>(&'b self, solver: &'b LinearSolver) -> Option<EigenProblem<'b>> {
         let copies = copies(self.model);
         let problem = EigenProblem::new(solver, &self.tangent, &self.massless, copies)?;
-        Some(problem.with_half_air(self.half_air.as_ref()))
+        Some(problem.with_vacuum(self.vacuum.as_ref()))
     }
 
     /// The problem of modes near a `size` \[1/s\], which are known of a similar system.
@@ -59,18 +59,12 @@ impl<'a> Linearized<'a> {
     }
 
     /// The same system without the forces of the air; `None` if no air acts.
-    pub fn without_air(&self, steady: &Equilibrium) -> Option<Self> {
-        let mut conditions = steady.conditions;
-        conditions.loading.air = 0.0;
-        let system = &self.model.system;
-        let tangent = system.tangent(&steady.state, &conditions);
-        let is_same =
-            |of: fn(&Tangent) -> &Sparse| of(&tangent).values() == of(&self.tangent).values();
-        let is_vacuum = is_same(|own| &own.by_unknowns) && is_same(|own| &own.by_rates);
-        (!is_vacuum).then(|| Self {
+    pub fn without_air(&self) -> Option<Self> {
+        let (system, tangent) = (&self.model.system, self.vacuum.clone()?);
+        Some(Self {
             model: self.model,
             massless: MasslessMotions::new(system, &tangent),
-            half_air: None,
+            vacuum: None,
             mass: MassMatrix::new(&tangent.by_rates, system.nodes().len()),
             tangent,
         })
@@ -98,6 +92,15 @@ impl<'a> Linearized<'a> {
         }
         motions
     }
+}
+
+/// The linearized system without the forces of the air; `None` if it is the `whole` one.
+fn vacuum(system: &System, steady: &Equilibrium, whole: &Tangent) -> Option<Tangent> {
+    let mut conditions = steady.conditions;
+    conditions.loading.air = 0.0;
+    let tangent = system.tangent(&steady.state, &conditions);
+    let is_same = |of: fn(&Tangent) -> &Sparse| of(&tangent).values() == of(whole).values();
+    (!(is_same(|own| &own.by_unknowns) && is_same(|own| &own.by_rates))).then_some(tangent)
 }
 
 /// A mode of a growth \[1/s\] and an angular frequency \[rad/s\] that nothing else is known of.

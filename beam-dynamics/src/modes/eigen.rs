@@ -72,8 +72,8 @@ pub struct EigenProblem<'a> {
     copies: usize,
     /// Magnitude of the lowest that is not [1/s].
     lowest: f64,
-    /// The system with half of the forces of the air, if there is air.
-    half_air: Option<&'a Tangent>,
+    /// The system without the forces of the air, if there is air.
+    vacuum: Option<&'a Tangent>,
 }
 
 impl<'a> EigenProblem<'a> {
@@ -117,19 +117,16 @@ impl<'a> EigenProblem<'a> {
         last
     }
 
-    /// The same with the tangent of the system in which half of the forces of the air act, from which
-    /// modes among slow states of the air are found.
+    /// The same with the tangent of the system in which no air acts, from which modes among slow states of the air
+    /// are found.
     #[must_use]
-    pub fn with_half_air(self, half: Option<&'a Tangent>) -> Self {
-        Self {
-            half_air: half,
-            ..self
-        }
+    pub fn with_vacuum(self, vacuum: Option<&'a Tangent>) -> Self {
+        Self { vacuum, ..self }
     }
 
-    /// The system with half of the forces of the air, if there is air.
-    pub(super) fn half_air(&self) -> Option<&Tangent> {
-        self.half_air
+    /// The system without the forces of the air, if there is air.
+    pub(super) fn vacuum(&self) -> Option<&Tangent> {
+        self.vacuum
     }
 
     /// Takes values up to `zero` for zero, and the lowest other one for known.
@@ -159,7 +156,7 @@ impl<'a> EigenProblem<'a> {
             size,
             copies,
             lowest: 0.0,
-            half_air: None,
+            vacuum: None,
         })
     }
 
@@ -203,7 +200,7 @@ impl<'a> EigenProblem<'a> {
     /// As [`Self::lowest`], after the motions without stiffness, where real values of scalars are
     /// nearer than the oscillations. Of the real values only growing ones are reported.
     fn lowest_of_crowd(&self, mut pairs: Vec<Eigenpair>, sorted: &Sorted, count: usize) -> Lowest {
-        let (mut found, unconfirmed) = self.beyond_the_crowd(count - pairs.len());
+        let (mut found, unconfirmed) = self.beside_states(count - pairs.len());
         pairs.append(&mut found);
         self.clear_round_off(&mut pairs);
         let growing = sorted.real.iter().copied().filter(|value| *value > 0.0);

@@ -140,6 +140,40 @@ impl Inverse {
         found
     }
 
+    /// The eigenvalues s of T in the space of some `columns` in all unknowns of the system, of a pair the one with
+    /// positive imaginary part, with their vectors in all unknowns, real and imaginary part a column each, and
+    /// their relative errors.
+    pub fn within(&self, columns: &Mat<f64>) -> Vec<(c64, Mat<f64>, f64)> {
+        let scaled = |columns: &Mat<f64>| {
+            let entry = |i: usize, j: usize| columns[(self.indices[i], j)] / self.scale[i];
+            Mat::from_fn(self.indices.len(), columns.ncols(), entry)
+        };
+        let mut start = scaled(columns);
+        for j in 0..start.ncols() {
+            let size = start.col(j).norm_l2();
+            let factor = if size > 0.0 { size.recip() } else { 0.0 };
+            let mut column = start.col_mut(j);
+            column *= faer::Scale(factor);
+        }
+        let basis = start.qr().compute_thin_Q();
+        let products = self.product(&basis);
+        let projected = basis.transpose() * scaled(&products);
+        let firsts = Eigenvectors::new(projected.as_ref()).firsts().into_iter();
+        let firsts = firsts.filter(|(inverted, _)| inverted.norm() > 0.0);
+        let found = |(inverted, mut parts): (c64, Mat<f64>)| {
+            let s = self.value(inverted);
+            // The vector of the conjugate value is the conjugate one.
+            if s.im < 0.0 {
+                parts.col_mut(1).iter_mut().for_each(|part| *part = -*part);
+            }
+            let s = c64::new(s.re, s.im.abs());
+            let (vector, product) = (&basis * &parts, &products * &parts);
+            let error = self.error(s, vector.as_ref(), product.as_ref());
+            (s, product, error)
+        };
+        firsts.map(found).collect()
+    }
+
     /// Error of a rough value s with its vector and their product by [`Self::product`],
     /// relative.
     pub fn error(&self, s: c64, vector: MatRef<'_, f64>, product: MatRef<'_, f64>) -> f64 {

@@ -1,15 +1,11 @@
 //! Names of roots by the modes without air at the same value of the parameter.
 //!
 //! The modes without air have the kind of their own motion, and a number by ascending frequency among the modes of
-//! one kind and pattern. A root s with the shape x has the name of the mode i w with the shape y for which
+//! one kind and pattern. A root has the name of the mode that [`super::assignment`] gives it, from its magnitude and
+//! its shape (D-425): oscillations first, then motions that decay without oscillation. Modes of one kind and pattern
+//! do not cross but exchange their shapes, so that their roots have their numbers by ascending magnitude.
 //!
-//! ```text
-//! c = | |s| - w | / max(|s|, w) + 3 (1 - MAC) < 2                                      (D-425)
-//! ```
-//!
-//! is least. The air damps a flapping motion, but hardly changes |s|, which is the root of its stiffness over
-//! its mass. Pairs are taken by rising c, each mode and each root once, oscillations before motions that
-//! decay without oscillation. Roots that decay and are no mode without air are the air's own: lags of its
+//! Roots that decay and are no mode without air are the air's own: lags of its
 //! induced velocities, of its circulation and of its separation. Without states of the air there are none.
 //! The blades follow the slow ones of these without inertia: a root that decays with
 //!
@@ -21,12 +17,9 @@
 //!
 //! So the name of a root depends on the state at its value alone, and not on other values of a sweep.
 
+use super::assignment::{assign, unlikeness};
 use crate::result::StabilityRoot;
 
-/// Weight of the shape beside the size of the root [-].
-const WEIGHT: f64 = 3.0;
-/// Largest c of a root and its mode.
-const SAME: f64 = 2.0;
 /// Frequency in the axes of the blades, relative to the growth, that is round-off.
 const REAL: f64 = 1e-6;
 /// Part of the potential energy below which the kinetic energy of a root is the one of a motion that follows
@@ -92,7 +85,8 @@ fn is_alike(a: &StabilityRoot, b: &StabilityRoot) -> bool {
 /// Gives the roots the names and numbers of the modes without air, or of the air.
 fn from_vacuum(roots: &mut [StabilityRoot], (mut modes, has_states): (Vec<StabilityRoot>, bool)) {
     number(&mut modes);
-    let mode_of = assigned(roots, (&modes, has_states));
+    let mut mode_of = assigned(roots, (&modes, has_states));
+    ascend(&mut mode_of, roots, &modes);
     for (root, mode) in roots.iter_mut().zip(&mode_of) {
         match mode {
             Some(mode) => take(root, &modes[*mode]),
@@ -118,14 +112,42 @@ fn assigned(
 ) -> Vec<Option<usize>> {
     let mut mode_of = vec![None; roots.len()];
     for of_real in [false, true] {
-        let free = (0..roots.len()).filter(|i| is_real(&roots[*i]) == of_real);
-        let pairs = free.flat_map(|i| (0..modes.len()).map(move |j| (i, j)));
-        let is_slow = |(i, j): &(usize, usize)| has_states && follows(&roots[*i], &modes[*j]);
-        let pairs = pairs.filter(|pair| !is_slow(pair));
-        let pairs = pairs.map(|(i, j)| (cost(&roots[i], &modes[j]), i, j));
-        assign(pairs.collect(), &mut mode_of);
+        let own: Vec<_> = (0..roots.len())
+            .filter(|i| is_real(&roots[*i]) == of_real)
+            .collect();
+        let free: Vec<_> = (0..modes.len())
+            .filter(|j| !mode_of.contains(&Some(*j)))
+            .collect();
+        let found = assign([own.len(), free.len()], |i, j| {
+            let (root, mode) = (&roots[own[i]], &modes[free[j]]);
+            match has_states && follows(root, mode) {
+                true => f64::INFINITY,
+                false => cost(root, mode),
+            }
+        });
+        for (root, mode) in own.into_iter().zip(found) {
+            mode_of[root] = mode.map(|mode| free[mode]);
+        }
     }
     mode_of
+}
+
+/// Exchanges the modes of oscillations so that the ones of one motion and pattern ascend with their roots: two of them
+/// do not cross, but exchange their shapes.
+fn ascend(mode_of: &mut [Option<usize>], roots: &[StabilityRoot], modes: &[StabilityRoot]) {
+    for first in 0..modes.len() {
+        let alike = |mode: usize| is_alike(&modes[mode], &modes[first]);
+        let is_first = !(0..first).any(alike);
+        let mut own: Vec<_> = (0..roots.len())
+            .filter(|root| is_first && !is_real(&roots[*root]) && mode_of[*root].is_some_and(alike))
+            .collect();
+        own.sort_by(|a, b| size(&roots[*a]).total_cmp(&size(&roots[*b])));
+        let mut numbers: Vec<_> = own.iter().filter_map(|root| mode_of[*root]).collect();
+        numbers.sort_by_key(|mode| modes[*mode].number);
+        for (root, mode) in own.into_iter().zip(numbers) {
+            mode_of[root] = Some(mode);
+        }
+    }
 }
 
 /// Gives the name of a mode to a root. A root without one pattern has its frequency in the axes of the blades, and no
@@ -136,17 +158,6 @@ fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
         root.pattern.clone_from(&mode.pattern);
     }
     root.number = mode.number;
-}
-
-/// Assigns free modes to free roots by rising cost: pairs of cost, root and mode.
-fn assign(mut pairs: Vec<(f64, usize, usize)>, mode_of: &mut [Option<usize>]) {
-    pairs.retain(|pair| pair.0 < SAME);
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
-    for (_, root, mode) in pairs {
-        if mode_of[root].is_none() && !mode_of.contains(&Some(mode)) {
-            mode_of[root] = Some(mode);
-        }
-    }
 }
 
 /// Magnitude in the axes of the blades \[1/s\].
@@ -172,7 +183,5 @@ fn cost(root: &StabilityRoot, mode: &StabilityRoot) -> f64 {
     let Some(mac) = root.assurance(mode).filter(|_| !differ(root, mode)) else {
         return f64::INFINITY;
     };
-    let sizes = [root, mode].map(size);
-    let larger = sizes[0].max(sizes[1]).max(f64::MIN_POSITIVE);
-    (sizes[0] - sizes[1]).abs() / larger + WEIGHT * (1.0 - mac)
+    unlikeness([root, mode].map(size), mac)
 }

@@ -16,6 +16,9 @@ use crate::modes::{Eigenpair, ModeMotion, Rotor};
 use crate::result::{BoundaryKind, ModePoint, StabilityRoot, Whirl};
 use crate::solver::LinearSolver;
 
+/// Relative difference of the magnitudes of copies of one root.
+const COPY: f64 = 1e-6;
+
 impl Source<'_> {
     /// The roots at a value, from the modes that are known there or are found now.
     pub(super) fn of_modes(&mut self, at: f64) -> Result<Vec<StabilityRoot>, Failed> {
@@ -37,7 +40,7 @@ impl Source<'_> {
             .modes
             .as_ref()
             .ok_or_else(|| nothing("[modes] is missing"))?;
-        let count = self.settings.count.unwrap_or(0).max(settings.count);
+        let count = self.count_of_modes(settings.count);
         let linearized = Linearized::new(&input.model, &steady);
         let solver = LinearSolver::new(input.model.system.pattern());
         let problem = linearized.problem(&solver).ok_or_else(|| {
@@ -47,7 +50,7 @@ impl Source<'_> {
             let remedy = "hold the motion by a stiffness, or choose other values of the parameter";
             [failure.to_string(), remedy.to_owned()]
         })?;
-        let lowest = problem.lowest(count + copies(&input.model) - 1);
+        let lowest = problem.lowest(count + 2 * copies(&input.model) - 1);
         let of_real = |value: &f64| Eigenpair {
             growth: *value,
             angular_frequency: 0.0,
@@ -139,10 +142,41 @@ impl Source<'_> {
         };
         let roots = all.map(|(pair, motion, root)| seen.root((pair, &motion), root));
         let known = found.oscillations.iter().chain(&found.overdamped);
-        let vacuum = vacuum((&linearized, steady), known, &seen);
+        let vacuum = vacuum(&linearized, known, &seen);
         let has_states = !model.system.scalars().is_empty();
-        named(roots.collect(), vacuum.map(|modes| (modes, has_states)))
+        let mut roots = named(roots.collect(), vacuum.map(|modes| (modes, has_states)));
+        let requested = input.modes.as_ref().map_or(0, |own| own.count);
+        let count = self.count_of_modes(requested) + copies(model) - 1;
+        let kept = kept(&roots, count);
+        let mut kept = kept.iter();
+        roots.retain(|_| kept.next().is_some_and(|is_kept| *is_kept));
+        roots
     }
+
+    /// Number of modes, without copies of the last one, for the number that `[modes]` requests.
+    fn count_of_modes(&self, requested: usize) -> usize {
+        self.settings.count.unwrap_or(0).max(requested)
+    }
+}
+
+/// The roots that are listed: the `count` oscillations of lowest magnitude with the copies of the last one, and the ones
+/// that grow. Others were found for names only, which depend on the modes above.
+fn kept(roots: &[StabilityRoot], count: usize) -> Vec<bool> {
+    let size = |root: &StabilityRoot| root.growth().hypot(root.in_blades);
+    let mut sizes: Vec<_> = roots
+        .iter()
+        .filter(|root| root.in_blades > 0.0)
+        .map(size)
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let last = sizes
+        .get(count.saturating_sub(1))
+        .copied()
+        .unwrap_or(f64::INFINITY);
+    let is_kept = |root: &StabilityRoot| {
+        root.in_blades == 0.0 || root.growth() > 0.0 || size(root) <= last * (1.0 + COPY)
+    };
+    roots.iter().map(is_kept).collect()
 }
 
 /// The model in which modes are seen.
@@ -163,11 +197,11 @@ impl Seen<'_> {
 /// The modes without air at the same state, as many as there are `known` ones with air, and some beyond them;
 /// `None` if no air acts.
 fn vacuum<'a>(
-    (linearized, steady): (&Linearized<'_>, &Equilibrium),
+    linearized: &'a Linearized<'a>,
     known: impl Iterator<Item = &'a Eigenpair>,
     seen: &Seen<'_>,
 ) -> Option<Vec<StabilityRoot>> {
-    let alone = linearized.without_air(steady)?;
+    let alone = linearized.without_air()?;
     let sizes: Vec<_> = known
         .map(|pair| pair.growth.hypot(pair.angular_frequency))
         .filter(|size| *size > 0.0)
