@@ -1,6 +1,7 @@
 //! Modes: eigenvalues of the linearized system, the motion of each mode, and the mode at
 //! the next speed that continues it.
 
+mod assignment;
 mod beside_states;
 mod continued;
 mod copies;
@@ -22,6 +23,7 @@ mod sorted;
 mod tracking;
 mod undamped;
 
+pub use assignment::{assign, unlikeness};
 pub use copies::is_new;
 pub use eigen::{EigenProblem, Lowest};
 pub use eigenpair::Eigenpair;

@@ -5,7 +5,6 @@
 //!    of the periodic motion.
 //! 3. The scan adds values where they are needed, and finds the boundaries.
 
-mod assignment;
 mod crossing;
 pub mod follow;
 mod names;

@@ -20,12 +20,16 @@
 //! corrected by inverse iteration ([`super::refined`]).
 
 use faer::{Mat, c64};
+use nalgebra::Complex;
 
-use super::copies::{CONFIRMED, groups, is_new};
+use super::assignment::{assign, unlikeness};
+use super::copies::{CONFIRMED, is_new};
 use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
+use super::motion::{MassMatrix, ModeMotion};
 use super::sorted::Sorted;
 use crate::assembly::Tangent;
+use crate::model::NODE_UNKNOWNS;
 
 /// Imaginary part of an oscillation as a part of its magnitude: pairs below it, of a damping ratio above
 /// 0.95, are slow states that are coupled.
@@ -62,33 +66,35 @@ impl EigenProblem<'_> {
     /// The `count` oscillations of lowest frequency, and the other copies of the last one.
     fn lowest_complete(&self, count: usize) -> Vec<Eigenpair> {
         let mut pairs = self.lowest(count + self.copies()).pairs;
-        let last = pairs.get(count.saturating_sub(1)).map(Eigenpair::value);
-        let is_copy = |pair: &Eigenpair| {
-            last.is_some_and(|last| (pair.value() - last).norm() <= CONFIRMED * last.norm())
-        };
-        let copies = pairs.iter().skip(count).take_while(|pair| is_copy(pair));
-        pairs.truncate(count + copies.count());
+        pairs.truncate(with_copies(&pairs, count));
         pairs
     }
 
-    /// The `count` oscillations of lowest magnitude and copies of the last one, with others that grow, by ascending frequency; and how many fewer
-    /// they are than the modes of the structure.
+    /// The oscillations that are the `count` lowest modes of the structure alone, or else others of lowest magnitude, with
+    /// the ones that grow, by ascending frequency; and the number of modes that are none of them.
     pub(super) fn beside_states(&self, count: usize) -> (Vec<Eigenpair>, usize) {
         let alone = self.vacuum().unwrap_or(self.tangent());
         let modes = self.structural_of(alone, count + SPARE);
-        let mut found = self.confirmed_of(&self.in_space_of(&modes));
-        found.sort_by(|a, b| a.value().norm().total_cmp(&b.value().norm()));
+        let found = self.confirmed_of(&self.in_space_of(&modes));
+        let mass = MassMatrix::new(&self.tangent().by_rates, self.size() / NODE_UNKNOWNS);
+        let mode_of = modes_of((&found, &modes), &mass);
         let wanted = modes.len().min(count);
-        let lost = wanted.saturating_sub(found.len());
-        let after = found.get(..count).and_then(<[_]>::last).cloned();
-        let copies = found.iter().skip(count);
-        let copies =
-            copies.take_while(|pair| after.as_ref().is_some_and(|last| is_near(last, pair)));
-        let first = (count + copies.count()).min(found.len());
-        let beyond = found.split_off(first);
-        found.extend(beyond.into_iter().filter(|pair| pair.growth > 0.0));
-        found.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
-        (found, lost)
+        let has_mode = |mode: &usize| mode_of.contains(&Some(*mode));
+        let lost = wanted - (0..wanted).filter(has_mode).count();
+        let mut others: Vec<_> = (0..found.len())
+            .filter(|root| mode_of[*root].is_none())
+            .collect();
+        let size = |root: usize| found[root].value().norm();
+        others.sort_by(|a, b| size(*a).total_cmp(&size(*b)));
+        others.truncate(lost);
+        let is_wanted = |root: &usize| {
+            let is_mode = mode_of[*root].is_some_and(|mode| mode < wanted);
+            is_mode || others.contains(root) || found[*root].growth > 0.0
+        };
+        let wanted = (0..found.len()).filter(is_wanted);
+        let mut pairs: Vec<_> = wanted.map(|root| found[root].clone()).collect();
+        pairs.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
+        (pairs, lost)
     }
 
     /// The oscillations of this system to which values of a space lead, accurate ones first.
@@ -126,28 +132,28 @@ impl EigenProblem<'_> {
     fn in_space_of(&self, modes: &[Eigenpair]) -> Vec<Eigenpair> {
         let size = self.size();
         let all = self.tangent().by_rates.pattern().size();
-        let mut columns: Vec<Vec<c64>> = Vec::new();
-        for pair in modes {
-            let mut start = pair.vector();
-            start.resize(all, c64::new(0.0, 0.0));
-            columns.push(start);
-        }
-        let frequency = |pair: &Eigenpair| c64::new(0.0, pair.angular_frequency);
-        for group in groups(&modes.iter().map(frequency).collect::<Vec<_>>()) {
-            let own = modes.iter().zip(&columns);
-            let own = own.filter(|(pair, _)| group.contains(&frequency(pair)));
-            let starts: Vec<_> = own.map(|(_, start)| self.rates_times(start)).collect();
-            for ratio in DAMPING {
-                let shift = group[0].im * c64::new(-ratio, (1.0 - ratio * ratio).sqrt());
-                let Some(matrix) = self.factorized(shift) else {
-                    continue;
-                };
-                for start in &starts {
+        let whole = |pair: &Eigenpair| {
+            let mut vector = pair.vector();
+            vector.resize(all, c64::new(0.0, 0.0));
+            vector
+        };
+        let mut columns: Vec<Vec<c64>> = modes.iter().map(whole).collect();
+        for copies in modes.chunk_by(is_near) {
+            let starts: Vec<_> = copies
+                .iter()
+                .map(|own| self.rates_times(&whole(own)))
+                .collect();
+            let frequency = copies[0].value().norm();
+            let shifts =
+                DAMPING.map(|ratio| frequency * c64::new(-ratio, (1.0 - ratio * ratio).sqrt()));
+            for shift in shifts.into_iter().filter(|shift| shift.norm() > 0.0) {
+                let matrix = self.factorized(shift);
+                let answer = |start: &Vec<c64>| {
                     let mut answer = start.clone();
-                    if matrix.solve(&mut answer).is_some() {
-                        columns.push(answer);
-                    }
-                }
+                    matrix.as_ref()?.solve(&mut answer)?;
+                    Some(answer)
+                };
+                columns.extend(starts.iter().filter_map(answer));
             }
         }
         let part = |i: usize, j: usize| {
@@ -167,6 +173,44 @@ impl EigenProblem<'_> {
         found.sort_by(|a, b| a.residual.total_cmp(&b.residual));
         found
     }
+}
+
+/// The mode of each root ([`assign`]), with the part of its energy in the space of the modes of one frequency as MAC.
+fn modes_of((roots, modes): (&[Eigenpair], &[Eigenpair]), mass: &MassMatrix) -> Vec<Option<usize>> {
+    let shapes: Vec<_> = roots
+        .iter()
+        .map(|root| ModeMotion::new(root, mass))
+        .collect();
+    let mut assurances: Vec<Vec<f64>> = vec![Vec::new(); roots.len()];
+    for copies in modes.chunk_by(is_near) {
+        let mut basis: Vec<ModeMotion> = Vec::new();
+        for copy in copies {
+            let own = ModeMotion::new(copy, mass);
+            let along = basis.iter().map(|other| -other.product(&own));
+            let factors: Vec<_> = along.chain([Complex::new(1.0, 0.0)]).collect();
+            let all: Vec<_> = basis.iter().chain([&own]).cloned().collect();
+            basis.push(ModeMotion::combined(&all, &factors));
+        }
+        for (own, shape) in assurances.iter_mut().zip(&shapes) {
+            let parts = basis.iter().map(|mode| mode.product(shape).norm_sqr());
+            own.extend(std::iter::repeat_n(parts.sum::<f64>(), copies.len()));
+        }
+    }
+    let sizes = |root: usize, mode: usize| [roots[root].value().norm(), modes[mode].value().norm()];
+    assign([roots.len(), modes.len()], |root, mode| {
+        unlikeness(sizes(root, mode), assurances[root][mode])
+    })
+}
+
+/// The number of the first `count` pairs, as far as there are so many, and of the other copies of the last one.
+fn with_copies(pairs: &[Eigenpair], count: usize) -> usize {
+    let count = count.min(pairs.len());
+    let last = pairs[..count].last();
+    let copies = pairs[count..].iter();
+    count
+        + copies
+            .take_while(|pair| last.is_some_and(|last| is_near(last, pair)))
+            .count()
 }
 
 /// Whether two values may be copies of one.

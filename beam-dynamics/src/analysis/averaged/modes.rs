@@ -66,16 +66,17 @@ pub(in crate::analysis) fn averaged_modes(
         let reason = "the averaged equations have a motion without stiffness";
         [reason.to_owned(), remedy.to_owned()]
     })?;
+    let problem = problem.with_vacuum(vacuum.as_ref());
     let seen = |tangent: &Tangent| Seen {
         names: Names::new(&model, &coordinates, words),
         mass: MassMatrix::new(&tangent.by_rates, model.system.nodes().len()),
         speed: settings.speed.unwrap_or(0.0).abs(),
     };
     let mut found = searched(&problem, wanted, &seen(&tangent))?;
-    found.vacuum = vacuum.and_then(|vacuum| {
+    found.vacuum = vacuum.as_ref().and_then(|vacuum| {
         let oscillations = found.modes.iter().filter(|mode| mode.named.oscillates);
         let wanted = oscillations.count().max(wanted);
-        without_air((&model, &coordinates), &vacuum, wanted, &seen(&vacuum))
+        without_air((&model, &coordinates), vacuum, wanted, &seen(vacuum))
     });
     Ok(found)
 }

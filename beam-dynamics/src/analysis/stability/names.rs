@@ -1,7 +1,7 @@
 //! Names of roots by the modes without air at the same value of the parameter.
 //!
 //! The modes without air have the kind of their own motion, and a number by ascending frequency among the modes of
-//! one kind and pattern. A root has the name of the mode that [`super::assignment`] gives it, from its magnitude and
+//! one kind and pattern. A root has the name of the mode that [`assign`] gives it, from its magnitude and
 //! its shape (D-425): oscillations first, then motions that decay without oscillation. Modes of one kind and pattern
 //! do not cross but exchange their shapes, so that their roots have their numbers by ascending magnitude.
 //!
@@ -17,7 +17,7 @@
 //!
 //! So the name of a root depends on the state at its value alone, and not on other values of a sweep.
 
-use super::assignment::{assign, unlikeness};
+use crate::modes::{assign, unlikeness};
 use crate::result::StabilityRoot;
 
 /// Frequency in the axes of the blades, relative to the growth, that is round-off.
