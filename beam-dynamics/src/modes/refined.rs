@@ -37,11 +37,8 @@ impl EigenProblem<'_> {
         let mut vector = start.clone();
         let mut value = first;
         for step in 0..CORRECTIONS {
-            let shift = if step < HELD {
-                first
-            } else {
-                value * (1.0 + BESIDE)
-            };
+            let near = if step < HELD { first } else { value };
+            let shift = near * (1.0 + BESIDE);
             let mut next = self.rates_times(&vector);
             self.factorized(shift)?.solve(&mut next)?;
             let factor = product(&vector, &next, size);
