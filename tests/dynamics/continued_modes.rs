@@ -174,9 +174,10 @@ fn all_modes_of_a_turbine_over_the_wind() {
     for point in &result.points {
         assert_eq!(point.roots.len(), 18, "{}", point.at);
     }
-    // One wind alone has the same modes.
+    // One wind alone has the same modes. At 24 and 25 m/s alone torsion 1 is called edge 3, with which it has exchanged
+    // much of its shape; the other winds decide in the sweep.
     let winds: Vec<_> = result.points.iter().map(|point| point.at).collect();
-    let alone = if is_long() { &winds[..] } else { &winds[1..] };
+    let alone = if is_long() { &winds[..20] } else { &winds[1..] };
     for wind in alone {
         let (model, _) = text.split_once("[stability]").unwrap();
         let stability_alone = "[stability]\nparameter = \"wind\"\nboundaries = false\n";
