@@ -35,7 +35,7 @@ fn text(kind: &str, (n, stiffness, delta_3): (f64, f64, f64)) -> String {
          {{ at = 0, chord = {CHORD:?}, airfoil = \"line\" }},\n\
          {{ at = 1, chord = {CHORD:?}, airfoil = \"line\" }},\n]\n\
          [airfoils.line]\nslope = {SLOPE:?}\ndrag = 0\n[air]\ndensity = {density:?}\n\
-         [periodic]\nspeed = 300\nsteps = 24\n[output]\n[[output.column]]\nname = \"z\"\n\
+         [periodic]\nspeed = 300\nsteps = 12\n[output]\n[[output.column]]\nname = \"z\"\n\
          quantity = \"position\"\nof = \"r 1/tip\"\ncomponent = \"z\"\n"
     );
     rotor(kind, blades, &keys, &cards)
