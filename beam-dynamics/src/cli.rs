@@ -199,6 +199,14 @@ fn check_files(files: &[PathBuf], terminal: &mut Terminal<'_>) -> u8 {
     let Some(inputs) = read(files, &BladeOptions::default(), terminal) else {
         return WRONG_INPUT;
     };
+    let unrepeated = inputs.iter().map(|input| &input.unrepeated);
+    let wrong: Vec<_> = unrepeated.filter(|problems| !problems.is_empty()).collect();
+    if !wrong.is_empty() {
+        wrong
+            .iter()
+            .for_each(|problems| terminal.report_text(&problems.to_string()));
+        return WRONG_INPUT;
+    }
     for (file, input) in files.iter().zip(&inputs) {
         terminal.show(&format!("{}: {}\n", file.display(), input.summary));
         for remark in &input.remarks {

@@ -167,8 +167,20 @@ pub struct Input {
     pub summary: Summary,
     /// Location of each joint in the files.
     pub joint_locations: BTreeMap<String, SourceLocation>,
+    /// Problems of the model with `[periodic]`, which concern the analyses of it only.
+    pub unrepeated: Diagnostics,
     /// Remarks on the files for the user: defaults that were used, plausibility.
     pub remarks: Vec<String>,
+}
+
+impl Input {
+    /// The input for an analysis of `[periodic]`.
+    ///
+    /// # Errors
+    /// A model that is another one a period later.
+    pub fn repeating(self) -> Result<Self, Diagnostics> {
+        self.unrepeated.clone().into_result(self)
+    }
 }
 
 /// Reads and checks the dynamics input at `path`, with the files that it names.
@@ -272,11 +284,25 @@ fn checked(
     if !frames::repeat(&mut document) {
         return document.finish(None);
     }
-    let input = cards(&document, name, (&rotors, linear));
+    let mut unrepeated = Diagnostics::new();
+    let input = cards(&document, name, (&rotors, linear), &mut unrepeated);
     let input = input.filter(|_| rotors.is_ok());
     let root = document.root_of(&schema::DYNAMICS_FILE);
     let locations = assembled::Locations::new(&root, file);
-    assembled::checked(document.finish(input)?, &locations)
+    match document.finish(input) {
+        Ok(input) => assembled::checked(
+            Input {
+                unrepeated,
+                ..input
+            },
+            &locations,
+        ),
+        Err(mut problems) => {
+            problems.append(unrepeated);
+            problems.sort_by_line();
+            Err(problems)
+        }
+    }
 }
 
 /// The file's name without folder and ending, from which outputs are named.
@@ -300,6 +326,7 @@ fn cards(
     document: &Document,
     default_name: &str,
     (rotors, linear): (&Rotors, Option<&LinearRequest>),
+    unrepeated: &mut Diagnostics,
 ) -> Option<Input> {
     let root = document.root_of(&schema::DYNAMICS_FILE);
     let name = root.text("name").unwrap_or_else(|| default_name.to_owned());
@@ -326,7 +353,7 @@ fn cards(
     builder.set_aerodynamics(air);
     parts(&root, &mut builder);
     control::read(control, &mut builder);
-    let mut periodic = periodic::read(&root);
+    let mut periodic = periodic::read(&root, &rotors::turning(rotors), &mut builder);
     let of_period = periodic.as_mut().and_then(Option::as_mut);
     let trim = trim::read(&root, trim, of_period, &mut builder);
     let mut analyses = analyses::read(&root, periodic, trim);
@@ -342,6 +369,7 @@ fn cards(
     }
     let ((gravity, gravity_drive), analyses) = (gravity?, analyses?);
     check_rotation((document, &root, rotors), &gravity, &mut builder, &analyses)?;
+    *unrepeated = rotors::unrepeated(document, rotors, &analyses);
     let (node_locations, joint_locations) = builder.locations(document);
     let mut input = finish(name, builder, analyses, measured?)?;
     input.linear = linear?;
@@ -371,7 +399,9 @@ fn check_rotation(
     ));
     builder.add_remarks(remarks);
     analyses.check(root, gravity, &builder.hub()?.frame_rotation());
-    rotating_start::check((document, root), builder, analyses);
+    if !rotors::check_starts(root, rotors, analyses, builder.hub()?) {
+        rotating_start::check((document, root), builder, analyses);
+    }
     check_air(root, builder, analyses);
     Some(())
 }
@@ -463,6 +493,7 @@ fn finish(
         joint_locations: BTreeMap::new(),
         parameters: Vec::new(),
         summary,
+        unrepeated: Diagnostics::new(),
         remarks,
     })
 }

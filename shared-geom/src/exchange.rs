@@ -104,7 +104,8 @@ pub struct Options {
     /// Whether stations without shear stiffness become rigid in shear, which is remarked: see
     /// [`Blade::make_shear_rigid`].
     pub rigid_shear: bool,
-    /// Name of the body in a file with several, in place of the blade: a `main_body` of an htc file.
+    /// Name of the body in a file with several, in place of the blade: a `main_body` of an htc file, or
+    /// `tower` of a windIO file.
     pub body: Option<String>,
 }
 
@@ -404,7 +405,8 @@ pub fn read_with(path: &Path, options: &Options) -> Result<(Format, Reading), Di
     FileKind::Blade.require(path, &text)?;
     let (format, reading) = parse(&text, path, options)?;
     let location = || SourceLocation::file(path.display().to_string());
-    if let Some(body) = options.body.as_ref().filter(|_| !hawc2::has_bodies(&text)) {
+    let has = |body: &&String| hawc2::has_bodies(&text) || windio::has_body(&text, body);
+    if let Some(body) = options.body.as_ref().filter(|body| !has(body)) {
         let problem = ExchangeProblem::no_bodies(body);
         return Err(Diagnostics::one(location(), &problem));
     }

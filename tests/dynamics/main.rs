@@ -35,6 +35,7 @@ mod free_modes;
 mod heat;
 mod heavy_tips;
 mod helicopter;
+mod hubs;
 mod identification;
 mod in_the_air;
 mod in_time;

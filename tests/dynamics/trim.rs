@@ -9,6 +9,7 @@ mod failures;
 mod flapping;
 mod free_flight;
 mod puma;
+mod shaft_torque;
 mod stall;
 mod turbine;
 mod two_rotors;

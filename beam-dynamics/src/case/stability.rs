@@ -13,6 +13,13 @@ pub enum StabilityMethod {
     Averaged,
 }
 
+impl StabilityMethod {
+    /// Whether the roots are of a periodic motion.
+    pub fn has_period(self) -> bool {
+        self != Self::Modes
+    }
+}
+
 /// The requested stability.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StabilitySettings {

@@ -2,12 +2,15 @@
 
 use std::path::Path;
 
+use shared_geom::error::Diagnostics;
+
 use super::arguments::Results;
 use super::linearize_options::LinearizeOptions;
 use super::result_locations::{in_folder, result_locations};
 use super::terminal::Terminal;
 use super::{WRONG_INPUT, add_remarks, files, finish};
 use crate::analysis::linear::linearize;
+use crate::case::LinearAbout;
 use crate::input::{self, Input, LinearRequest};
 use crate::output::{self, ResultLocation};
 
@@ -26,7 +29,7 @@ pub(super) fn linearize_files(
         }
     };
     let read = files::each(paths, terminal, |path, terminal| {
-        let input = input::read_linear(path, &request, &[]);
+        let input = of_request(path, &request, &[]);
         input
             .map_err(|problems| terminal.report_text(&problems.to_string()))
             .ok()
@@ -42,13 +45,26 @@ pub(super) fn linearize_files(
     })
 }
 
+/// The input, of which `[periodic]` is checked if the linear model is about a motion.
+fn of_request(
+    path: &Path,
+    request: &LinearRequest,
+    given: &[(String, f64)],
+) -> Result<Input, Diagnostics> {
+    let input = input::read_linear(path, request, given)?;
+    match input.linear.as_ref().map(|own| &own.about) {
+        Some(LinearAbout::Period | LinearAbout::Trim) => input.repeating(),
+        _ => Ok(input),
+    }
+}
+
 fn linear_of(
     (path, request): (&Path, &LinearRequest),
     input: &Input,
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let read = |given: &[(String, f64)]| input::read_linear(path, request, given);
+    let read = |given: &[(String, f64)]| of_request(path, request, given);
     match linearize(input, &read) {
         Ok(mut model) => {
             let shown = (location.name.as_str(), &mut *terminal);

@@ -62,7 +62,12 @@ fn stability_of(
             let place = format!("{parameter} = {}", input::short_number(*at, 6));
             progress.note(part(&settings.sweep.values, *at), &place);
         }
-        input::read_with(path, given)
+        let input = input::read_with(path, given)?;
+        if settings.method.has_period() {
+            input.repeating()
+        } else {
+            Ok(input)
+        }
     };
     let mut result = stability(&input.model.name, settings, input.trim.as_ref(), &read);
     progress.finish();

@@ -94,6 +94,10 @@ pub(super) fn each_again<Q: Sync>(
     let mut complete = true;
     for (path, input) in paths.iter().zip(&inputs) {
         if settings(input).is_some() {
+            if has_period(input, requested.table) && !input.unrepeated.is_empty() {
+                complete = false;
+                terminal.report_text(&input.unrepeated.to_string());
+            }
             continue;
         }
         complete = false;
@@ -120,6 +124,16 @@ pub(super) fn each_again<Q: Sync>(
             })
         },
     )
+}
+
+/// Whether the analysis of a table is of a periodic motion.
+fn has_period(input: &Input, table: &str) -> bool {
+    let stability = input.stability.as_ref();
+    match table {
+        "periodic" | "trim" => true,
+        "stability" => stability.is_some_and(|own| own.method.has_period()),
+        _ => false,
+    }
 }
 
 /// Equilibria over a parameter.

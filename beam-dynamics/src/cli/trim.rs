@@ -41,7 +41,7 @@ fn trim_of(
     (location, json): (&ResultLocation, bool),
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let read = |given: &[(String, f64)]| input::read_with(path, given);
+    let read = |given: &[(String, f64)]| input::read_with(path, given)?.repeating();
     let progress = Progress::of_search(terminal.part());
     let sweep = settings.sweep.as_ref().map(|sweep| &*sweep.parameter);
     let outcome = trim_watched(&input.model.name, settings, &read, &mut |at| {

@@ -46,10 +46,14 @@ pub(super) fn checked(mut input: Input, locations: &Locations) -> Result<Input, 
     if let Some((location, found)) = locations.scheme.as_ref().zip(unenforced) {
         problems.push(location.clone(), &found);
     }
-    let periodic = input.periodic.as_ref();
+    // Rotors that do not repeat are the reason of a model that does not.
+    let periodic = input
+        .periodic
+        .as_ref()
+        .filter(|_| input.unrepeated.is_empty());
     let unrepeated = periodic.and_then(|own| repeats::problem(&input.model, own));
     if let Some((location, found)) = locations.periodic.as_ref().zip(unrepeated) {
-        problems.push(location.clone(), &found);
+        input.unrepeated.push(location.clone(), &found);
     }
     let mobility = mechanism::find(&input.model.system);
     let is_trimmed = (input.trim.as_ref()).is_some_and(|own| own.method == TrimMethod::Equilibrium);

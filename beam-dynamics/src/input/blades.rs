@@ -38,6 +38,7 @@ mod stations;
 #[cfg(test)]
 mod tests;
 
+pub(in crate::input) use mounts::HUB_RADIUS;
 pub(in crate::input) use pieces::{ELEMENTS, LENGTH, PIECES};
 pub use problem::BladeProblem;
 pub(in crate::input) use stations::{BODY, STATIONS};

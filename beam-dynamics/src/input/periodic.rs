@@ -5,6 +5,9 @@ use std::f64::consts::TAU;
 use shared_geom::document::Table;
 use shared_geom::error::{Explain, SourceLocation};
 
+use super::builder::ModelBuilder;
+use super::rotor_speed::rpm;
+use super::short_number;
 use super::transient::{FROM, REDUNDANT, START};
 use crate::case::{FloquetSettings, PeriodicMethod, PeriodicSettings, Redundant, Start, Words};
 
@@ -18,6 +21,12 @@ use keys::{
 
 /// Least number of steps in a period: shorter periods of the motion are not seen with fewer.
 const LEAST_STEPS: usize = 4;
+/// Part of the turns by which a period that is written with fewer digits than the speed of a rotor may be off.
+const WRITTEN: f64 = 1e-6;
+/// Part of a period that is its round-off.
+const ROUND_OFF: f64 = 1e-12;
+/// Digits of periods.
+const DIGITS: usize = 9;
 
 /// A problem of `[periodic]`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -47,13 +56,20 @@ impl Explain for PeriodicProblem {
     }
 }
 
-/// Reads `[periodic]`; `Some(None)` without the card.
-pub(super) fn read(root: &Table<'_>) -> Option<Option<PeriodicSettings>> {
+/// Names of rotors of constant speed, and their speeds \[rad/s\].
+type Turning<'a> = [(&'a str, f64)];
+
+/// Reads `[periodic]` of a file with rotors that turn at constant speeds; `Some(None)` without the card.
+pub(super) fn read(
+    root: &Table<'_>,
+    rotors: &Turning<'_>,
+    builder: &mut ModelBuilder,
+) -> Option<Option<PeriodicSettings>> {
     if !root.has("periodic") {
         return Some(None);
     }
     let table = root.table("periodic")?;
-    let (settings, floquet) = (settings(&table), floquet(&table));
+    let (settings, floquet) = (settings(&table, rotors, builder), floquet(&table));
     table.finish();
     let mut settings = settings?;
     settings.floquet = floquet?;
@@ -69,9 +85,13 @@ pub(super) fn location(root: &Table<'_>) -> Option<SourceLocation> {
 }
 
 /// Everything but the multipliers.
-fn settings(table: &Table<'_>) -> Option<PeriodicSettings> {
+fn settings(
+    table: &Table<'_>,
+    rotors: &Turning<'_>,
+    builder: &mut ModelBuilder,
+) -> Option<PeriodicSettings> {
     let from = table.get(&FROM);
-    let period = period(table);
+    let period = period(table, rotors).map(|own| in_turns(own, rotors, builder));
     let steps = table.get_if(&STEPS, |steps| *steps >= LEAST_STEPS, "at least 4 steps");
     let (stages, method) = (table.get(&STAGES), table.get(&METHOD));
     let (tolerance, iterations) = (table.get(&TOLERANCE), table.get(&ITERATIONS));
@@ -100,11 +120,40 @@ fn settings(table: &Table<'_>) -> Option<PeriodicSettings> {
     Some(settings)
 }
 
-/// The period \[s\], and the speed of the rotor \[rad/s\].
-fn period(table: &Table<'_>) -> Option<(f64, Option<f64>)> {
+/// The period of whole turns of the first rotor, if it is that one but for digits that were not written, which
+/// a remark states.
+fn in_turns(
+    (period, speed): (f64, Option<f64>),
+    rotors: &Turning<'_>,
+    builder: &mut ModelBuilder,
+) -> (f64, Option<f64>) {
+    let Some((name, own)) = rotors.first() else {
+        return (period, speed);
+    };
+    let turns = own.abs() * period / TAU;
+    let whole = turns.round();
+    let off = (turns - whole).abs();
+    if whole == 0.0 || off <= ROUND_OFF * whole || off > WRITTEN * whole {
+        return (period, speed);
+    }
+    let exact = whole * TAU / own.abs();
+    builder.add_remarks(vec![format!(
+        "the period of [periodic] is {} s, the time of {} of rotor \"{name}\" at {}, in place of {} s",
+        short_number(exact, DIGITS),
+        if whole == 1.0 { "one turn".to_owned() } else { format!("{whole} turns") },
+        rpm(*own),
+        short_number(period, DIGITS)
+    )]);
+    (exact, speed.map(|speed| speed * period / exact))
+}
+
+/// The period \[s\], and the speed of the rotor \[rad/s\]: without both the one of the first rotor.
+fn period(table: &Table<'_>, rotors: &Turning<'_>) -> Option<(f64, Option<f64>)> {
     let (period, speed) = (table.get(&PERIOD), table.get(&SPEED));
     let revolutions = table.get(&REVOLUTIONS);
     let (period, speed, revolutions) = (period?, speed?, revolutions?);
+    let of_rotor = rotors.first().map(|rotor| rotor.1);
+    let speed = speed.or(of_rotor.filter(|_| period.is_none()));
     match (period, speed) {
         (Some(period), None) => Some((period, None)),
         (None, Some(0.0)) => {

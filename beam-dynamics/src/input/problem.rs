@@ -467,6 +467,10 @@ fn nearest(kind: &str, found: &str, known: &[String]) -> String {
     match nearest_name(found, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean \"{near}\"?"),
         None if known.is_empty() => format!("the file has no {kind}"),
+        None if kind == "signal" => format!(
+            "a quantity of the model becomes a signal by [sensors.NAME]; signals are {}",
+            shortened(known)
+        ),
         None => format!("{kind}: {}", shortened(known)),
     }
 }

@@ -24,19 +24,12 @@ struct HeldStart {
     axis: Vector3<f64>,
     /// Whether the hub is a node.
     has_hub: bool,
-    /// Whether a rotor of the file has a tower, a pylon, or a node that carries it.
-    is_carried: bool,
 }
 
 impl Explain for HeldStart {
     fn help(&self) -> Option<String> {
         let [x, y, z] = [0, 1, 2].map(|i| short_number(self.axis[i], DIGITS));
         let rpm = short_number(self.rpm, DIGITS);
-        if self.is_carried {
-            let words = "a rotating start turns the whole model: on a tower or another part that stands, begin \
-                         with start = \"given\"";
-            return Some(words.to_owned());
-        }
         let support = if self.has_hub {
             "give \"support\" of [hub] torsion = 0"
         } else {
@@ -60,15 +53,11 @@ pub(super) fn check(
     let Some(speed) = analyses.rotating_speed() else {
         return;
     };
-    let rotors = root.tables("rotor");
     let problem = |held: String| HeldStart {
         held,
         rpm: speed / RPM,
         axis: hub.frame_rotation().axis,
         has_hub: hub.moving().is_some(),
-        is_carried: ["tower", "pylon", "node"]
-            .iter()
-            .any(|key| rotors.iter().any(|rotor| rotor.has(*key))),
     };
     let is_held = |moving: &super::hub::MovingHub| moving.stiffness[3].is_none();
     if hub.moving().is_some_and(is_held) {

@@ -14,7 +14,7 @@ use super::declare;
 use super::hub::{HUB, Hub};
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
-use crate::case::Start;
+use crate::case::{PeriodicSettings, Start, TransientSettings};
 
 mod arms;
 mod base;
@@ -128,6 +128,13 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     };
     let placed = rotors.into_iter().map(|(rotor, _)| place(rotor));
     is_sound.then(|| placed.collect()).ok_or_else(Vec::new)
+}
+
+/// The rotors that turn at a constant speed other than zero, by name \[rad/s\].
+pub(super) fn turning(rotors: &Rotors) -> Vec<(&str, f64)> {
+    let rotors = rotors.as_deref().unwrap_or_default().iter();
+    let turning = rotors.filter_map(|rotor| Some((rotor.name.as_str(), rotor.speed?)));
+    turning.filter(|(_, speed)| *speed != 0.0).collect()
 }
 
 /// The names of all rotors that have one.
@@ -252,15 +259,30 @@ fn note_repeated(table: &Table<'_>) -> bool {
     found.fold(false, |one, other| one | other)
 }
 
+/// Problems of rotors with `[periodic]`, which concern its analyses only: rotors that are not where they were
+/// after a period, or not at azimuth zero at its beginning.
+pub(super) fn unrepeated(document: &Document, rotors: &Rotors, analyses: &Analyses) -> Diagnostics {
+    let mut found = Diagnostics::new();
+    let rotors = rotors.as_deref().unwrap_or_default();
+    if let Some(periodic) = &analyses.periodic {
+        let mut note =
+            |line, problem: RotorRunProblem| found.push(document.location(line), &problem);
+        check_period(rotors, periodic, &mut note);
+        check_first_instant(rotors, ("[periodic]", &periodic.start), &mut note);
+    }
+    found
+}
+
 /// Notes rotors that are not where they were after a period.
-fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses) {
-    let Some(periodic) = &analyses.periodic else {
-        return;
-    };
+fn check_period(
+    rotors: &[PlacedRotor],
+    periodic: &PeriodicSettings,
+    note: &mut impl FnMut(usize, RotorRunProblem),
+) {
     for rotor in rotors {
         if let Some(key) = rotor.unsteady {
             let name = rotor.name.clone();
-            document.note(rotor.line, &RotorRunProblem::Unsteady { name, key });
+            note(rotor.line, RotorRunProblem::Unsteady { name, key });
         }
         let turns = rotor.speed.unwrap_or_default() * periodic.period / TAU;
         if beyond_whole(turns, SAME_SPEED).is_some() {
@@ -269,7 +291,7 @@ fn check_period(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses
                 turns,
                 period: periodic.period,
             };
-            document.note(rotor.line, &problem);
+            note(rotor.line, problem);
         }
     }
 }
@@ -281,28 +303,60 @@ fn beyond_whole(turns: f64, same: f64) -> Option<f64> {
 }
 
 /// Notes rotors that are between whole turns at the first instant of a run.
-fn check_first_instant(document: &Document, rotors: &[PlacedRotor], analyses: &Analyses) {
-    let of_periodic = analyses
-        .periodic
-        .as_ref()
-        .map(|own| ("[periodic]", &own.start));
-    let of_run = analyses.transient.as_ref().map(|own| ("[transient]", own));
-    for (card, run) in of_periodic.into_iter().chain(of_run) {
-        for rotor in rotors {
-            let speed = rotor.speed.filter(|speed| *speed != 0.0);
-            let Some(speed) = speed else { continue };
-            if let Some(beyond) = beyond_whole(speed * run.from / TAU, WRITTEN) {
-                let problem = RotorRunProblem::FirstInstant {
-                    name: rotor.name.clone(),
-                    card,
-                    from: run.from,
-                    degrees: 360.0 * beyond,
-                    turn: TAU / speed.abs(),
-                };
-                document.note(rotor.line, &problem);
-            }
+fn check_first_instant(
+    rotors: &[PlacedRotor],
+    (card, run): (&'static str, &TransientSettings),
+    note: &mut impl FnMut(usize, RotorRunProblem),
+) {
+    for rotor in rotors {
+        let speed = rotor.speed.filter(|speed| *speed != 0.0);
+        let Some(speed) = speed else { continue };
+        if let Some(beyond) = beyond_whole(speed * run.from / TAU, WRITTEN) {
+            let problem = RotorRunProblem::FirstInstant {
+                name: rotor.name.clone(),
+                card,
+                from: run.from,
+                degrees: 360.0 * beyond,
+                turn: TAU / speed.abs(),
+            };
+            note(rotor.line, problem);
         }
     }
+}
+
+/// Whether a rotor turns on a part that stands: the node of `[hub]` with a support turns with the model;
+/// another one does not, also on the axis.
+fn is_carried(rotor: &PlacedRotor, hub: &Hub) -> bool {
+    let is_held = |node: &String| hub.moving().is_none() || node != HUB;
+    rotor.carrier.as_ref().is_some_and(is_held)
+}
+
+/// Notes runs whose start turns the whole model with a part that stands; whether there are some.
+pub(super) fn check_starts(
+    root: &Table<'_>,
+    rotors: &Rotors,
+    analyses: &Analyses,
+    hub: &Hub,
+) -> bool {
+    let rotors = rotors.as_deref().unwrap_or_default();
+    let Some(carried) = rotors.iter().find(|rotor| is_carried(rotor, hub)) else {
+        return false;
+    };
+    let of_run = analyses.transient.as_ref().map(|run| ("transient", run));
+    let of_period = analyses
+        .periodic
+        .as_ref()
+        .map(|own| ("periodic", &own.start));
+    let turned = [of_run, of_period].into_iter().flatten();
+    let turned = turned.filter(|(_, run)| run.rotating_speed().is_some_and(|speed| speed != 0.0));
+    let mut found = false;
+    for table in turned.filter_map(|(card, _)| root.table(card)) {
+        let (name, carrier) = (carried.name.clone(), carried.carrier.clone());
+        let carrier = carrier.unwrap_or_default();
+        table.note("start", &RotorRunProblem::CarriedStart { name, carrier });
+        found = true;
+    }
+    found
 }
 
 /// Notes rotors whose speed or axis is not the one of the turning model, that turn against their parts,
@@ -315,8 +369,10 @@ pub(super) fn check(
     hub: &Hub,
 ) -> Vec<String> {
     let rotors = rotors.as_deref().unwrap_or_default();
-    check_period(document, rotors, analyses);
-    check_first_instant(document, rotors, analyses);
+    if let Some(run) = &analyses.transient {
+        let mut note = |line, problem: RotorRunProblem| document.note(line, &problem);
+        check_first_instant(rotors, ("[transient]", run), &mut note);
+    }
     check_turning(document, (rotors, hub), analyses);
     speeds::check(document, rotors, analyses);
     let of_pitch = held_pitch::check(document, rotors, analyses);
@@ -338,14 +394,16 @@ fn check_turning(document: &Document, (rotors, hub): (&[PlacedRotor], &Hub), ana
         let is_apart = hub.distance(&rotor.center) > SAME_AXIS * size
             || (rotor.axes.column(2) - rotation.axis).norm() > SAME_AXIS;
         let name = rotor.name.clone();
-        if let Some(key) = rotor.unsteady.filter(|_| analyses.periodic.is_none()) {
+        if let Some(key) = rotor.unsteady {
             let name = name.clone();
             document.note(rotor.line, &RotorRunProblem::Unsteady { name, key });
         }
-        // The node of [hub] with a support turns with the model; another one stands, also on the axis.
-        let is_held = |node: &String| hub.moving().is_none() || node != HUB;
-        let is_carried = rotor.carrier.as_ref().is_some_and(is_held);
-        if is_apart || is_carried && analyses.highest_speed() > 0.0 {
+        let is_carried = is_carried(rotor, hub);
+        // Starts of runs are noted at their line.
+        if is_carried && analyses.highest_speed() == 0.0 {
+            continue;
+        }
+        if is_apart || is_carried {
             let problem = if is_carried {
                 RotorProblem::Carried { name }
             } else {

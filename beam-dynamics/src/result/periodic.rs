@@ -199,6 +199,12 @@ pub struct Harmonics {
 }
 
 impl Harmonics {
+    /// The largest of the mean and the sizes of the harmonics.
+    pub fn largest(&self) -> f64 {
+        let sizes = self.parts.iter().map(|[cosine, sine]| cosine.hypot(*sine));
+        sizes.fold(self.mean.abs(), f64::max)
+    }
+
     /// Of values at equal distances over a period, the end left out, by the trapezoidal rule, exact
     /// for harmonics below half the number of values:
     ///

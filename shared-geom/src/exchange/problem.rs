@@ -139,7 +139,8 @@ impl ExchangeProblem {
         Self::Other {
             what: format!("the body \"{name}\""),
             found: "a file with one line of sections only".to_owned(),
-            expected: "an htc file of HAWC2, whose main_body have names".to_owned(),
+            expected: "an htc file of HAWC2, whose main_body have names, or body = \"tower\" of a windIO file"
+                .to_owned(),
             help: "remove the name of the body".to_owned(),
         }
     }

@@ -15,6 +15,8 @@
 //! | axis | `reference_axis` there | `reference_axis` of the blade |
 //! | twist | `twist` there [rad] | `outer_shape.twist` [deg] |
 //! | damping | none | `structural_damping.mu` [s] |
+//!
+//! With the body `"tower"` the file is the one of its [tower].
 
 use super::yaml;
 use std::path::Path;
@@ -32,6 +34,7 @@ mod flow;
 mod into;
 mod length;
 mod mass;
+mod tower;
 mod version1;
 mod version2;
 mod write;
@@ -68,11 +71,16 @@ pub(super) fn is_version_2(text: &str) -> bool {
     recognize(text) && !is_version_1(text)
 }
 
-/// Reads the blade of a turbine file of either version.
+/// Whether a body of `text` has its name: the tower of a turbine file.
+pub(super) fn has_body(text: &str, body: &str) -> bool {
+    body == tower::BODY && recognize(text)
+}
+
+/// Reads the blade of a turbine file of either version, or its tower as one.
 ///
 /// # Errors
 /// All errors of the required parts of the file.
-pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diagnostics> {
+pub(super) fn read(text: &str, file: &Path, options: &Options) -> Result<Reading, Diagnostics> {
     let mut problems = Problems::new(&file.display().to_string());
     let root = match yaml::parse(text) {
         Ok(root) => root,
@@ -81,6 +89,10 @@ pub(super) fn read(text: &str, file: &Path, _: &Options) -> Result<Reading, Diag
             return Err(problems.into_diagnostics());
         }
     };
+    if options.body.as_deref() == Some(tower::BODY) {
+        let reading = tower::reading(&root, (text, file), &mut problems);
+        return problems.finish(reading);
+    }
     let tables = if root.path(&VERSION_1).is_some() || is_version_1(text) {
         version1::tables(&root, &mut problems)
     } else {

@@ -139,6 +139,8 @@ fn all_exponents_over_speed() {
         assert!(off < 1e-6 * TAU / speed, "{case} {speed}: {off:e}");
         let table = outcome.result.floquet.as_ref().unwrap();
         assert!(table.states.is_some() && table.products <= 20, "{table:?}");
+        // Five freedoms: no root beyond their ten, of twenty that are requested.
+        assert_eq!(multipliers(&outcome).len(), 10, "{table:?}");
         for mode in modes(&outcome) {
             assert!(mode.residual < 1e-9, "{mode:?}");
         }

@@ -155,3 +155,6 @@ impl PeriodMap {
         Some(())
     }
 }
+
+#[cfg(test)]
+mod tests;

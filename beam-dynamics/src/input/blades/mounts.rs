@@ -29,7 +29,7 @@ keys! {
     /// The name of the blade; its nodes are called `NAME/root`, `NAME/1`, ..., `NAME/tip`.
     pub(super) NAME: String = "name", [Text], required, "\"blade\"";
     /// Distance of the root from the center of the hub, along the blade with its precone.
-    pub(super) HUB_RADIUS: f64 = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0" = 0.0, "1.5";
+    pub(in crate::input) HUB_RADIUS: f64 = "hub_radius", [NotNegative(Dimension::LENGTH)], or "0" = 0.0, "1.5";
     /// Position of the root at azimuth zero, in place of `hub_radius`.
     pub(super) ROOT: Option<Vector3<f64>> = "root", [Vector(3, Dimension::LENGTH)], optional, "[2.5, 0, 0]";
     /// Azimuth of the first blade about the axis of the hub; zero is along +x for an axis along z.

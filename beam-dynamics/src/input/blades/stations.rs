@@ -49,7 +49,7 @@ keys! {
     /// The blade file, with line, twist and stations, of any known format; a relative path is
     /// relative to the folder of this file.
     FILE: String = "file", [Text], required, "\"nrel5mw.blade.json\"";
-    /// Name of the body in an htc file of HAWC2, in place of the blade.
+    /// Name of the body in an htc file of HAWC2, or `"tower"` of a windIO file, in place of the blade.
     pub(in crate::input) BODY: Option<String> = "body", [Text], optional, "\"tower\"";
     /// Number of elements.
     ELEMENTS: Option<usize> = "elements", [Count(MOST_ELEMENTS)], optional, "30";

@@ -21,7 +21,7 @@ const MOST_MULTIPLIERS: usize = 400;
 keys! {
     /// Motion that repeats after a period, and its stability.
     pub(in crate::input) PERIODIC = "[periodic]";
-    /// The period; or `speed`.
+    /// The period; or `speed`; without both it is a revolution of the first `[[rotor]]`, or `revolutions`.
     pub(super) PERIOD: Option<f64> = "period", [Positive(Dimension::TIME)], optional, "0.2";
     /// Speed of the rotor: the period is one revolution, or `revolutions`. With
     /// `start = "rotating"` it is the speed of the start, too.

@@ -4,20 +4,14 @@ use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::base::{Base, Hinge, Local};
+use super::base::{Base, FLAP, Hinge, LAG, Local, PITCH};
 use super::controls::Sum;
 use super::damper;
 use super::keys::KINDS;
 use super::pitch;
 use super::stops;
 
-/// Axes of a positive angle of each kind, in the frame of a blade.
-const AXES: [Vector3<f64>; 3] = [
-    Vector3::new(0.0, -1.0, 0.0),
-    Vector3::new(0.0, 0.0, 1.0),
-    Vector3::new(1.0, 0.0, 0.0),
-];
-/// Rotation vectors that turn the first axis of a blade to them, or to their mirror images.
+/// Rotation vectors that turn the first axis of a blade to the axis of each kind of hinges, or to its mirror image.
 const TURNS: [[Vector3<f64>; 2]; 3] = [
     [
         Vector3::new(0.0, 0.0, -FRAC_PI_2),
@@ -26,10 +20,6 @@ const TURNS: [[Vector3<f64>; 2]; 3] = [
     [Vector3::new(0.0, -FRAC_PI_2, 0.0); 2],
     [Vector3::new(0.0, 0.0, 0.0), Vector3::new(0.0, 0.0, PI)],
 ];
-/// Index of lag in the kinds of hinges.
-const LAG: usize = 1;
-/// Index of pitch in the kinds of hinges.
-pub(super) const PITCH: usize = 2;
 
 /// Name of hinge `number` of a blade: by its kind, and its number if another has the kind.
 fn word(hinges: &[Hinge], number: usize) -> String {
@@ -60,6 +50,7 @@ pub(super) fn cards(
     let mut arm = base.arm(k);
     let mut cards = vec![base.frame(&arm)];
     let mut inner = yoke.to_owned();
+    let mut flaps = Vec::new();
     for (number, hinge) in base.hinges.iter().enumerate() {
         let node = base.of_blade(k, &word(&base.hinges, number));
         if hinge.kind == PITCH && base.pitch != 0.0 && !arm.is_pitched {
@@ -70,13 +61,16 @@ pub(super) fn cards(
         cards.push(base.node(&node, &arm, Vector3::new(hinge.offset, 0.0, 0.0)));
         let nodes = [inner.as_str(), &node];
         cards.extend(match hinge.kind {
-            PITCH => pitch::cards(base, (k, nodes), hinge, (control, command)),
+            PITCH => pitch::cards(base, (k, nodes), (hinge, &flaps), (control, command)),
             kind => {
-                let axis = base.turned(&AXES[kind]);
+                let axis = base.axis(kind);
                 vec![base.hinge(&node, nodes, (&arm, axis), &hinge.restraint)]
             }
         });
         cards.extend(restraints(base, (&node, nodes), &arm, hinge));
+        if hinge.kind == FLAP {
+            flaps.push([inner, node.clone()]);
+        }
         inner = node;
     }
     let root = base.of_blade(k, "root");

@@ -20,6 +20,19 @@ use std::f64::consts::TAU;
 
 use super::damper_law::DamperLaw;
 
+/// Axes of a positive angle of each kind, in the frame of a blade.
+const AXES: [Vector3<f64>; 3] = [
+    Vector3::new(0.0, -1.0, 0.0),
+    Vector3::new(0.0, 0.0, 1.0),
+    Vector3::new(1.0, 0.0, 0.0),
+];
+/// Index of flap in the kinds of hinges.
+pub(super) const FLAP: usize = 0;
+/// Index of lag in the kinds of hinges.
+pub(super) const LAG: usize = 1;
+/// Index of pitch in the kinds of hinges.
+pub(super) const PITCH: usize = 2;
+
 /// Units of plain numbers in expressions, in SI.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
@@ -193,6 +206,11 @@ impl Base {
     pub fn turned(&self, rotation: &Vector3<f64>) -> Vector3<f64> {
         let side = self.side();
         Vector3::new(side * rotation.x, side * rotation.y, rotation.z)
+    }
+
+    /// The axis of a positive angle of a kind of hinges, in the frame of a blade.
+    pub fn axis(&self, kind: usize) -> Vector3<f64> {
+        self.turned(&AXES[kind])
     }
 
     /// Azimuth of blade `k`, from zero \[rad\].

@@ -8,7 +8,7 @@ use shared_geom::expression::is_name;
 use shared_geom::rotation::vector;
 
 use super::arms;
-use super::base::{Base, Lump, Units, angles, lengths};
+use super::base::{Base, FLAP, Lump, PITCH, Units, angles, lengths};
 use super::context::Context;
 use super::controls::{Pitch, Sum};
 use super::damper;
@@ -230,8 +230,10 @@ fn body(table: &Table<'_>, name: &str) -> Option<Option<Lump>> {
 fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
     let of_pitch = || Some((keys::SWASHPLATE.name(), pitch_problem(rotor)?));
     let of_damper = || Some((LAG_DAMPER.name(), damper_problem(rotor)?));
+    let of_coupling = || Some((keys::PITCH_LINK.name(), coupling_problem(rotor)?));
     let found = hub_problem(rotor, table)
         .or_else(of_pitch)
+        .or_else(of_coupling)
         .or_else(of_damper);
     if let Some((key, problem)) = &found {
         table.note(key, problem);
@@ -243,6 +245,19 @@ fn is_sound(rotor: &Rotor, table: &Table<'_>) -> bool {
         table.document().note(line, &problem);
     }
     unwritten.is_none()
+}
+
+/// A pitch-flap coupling without a flap hinge inboard of the pitch bearing.
+fn coupling_problem(rotor: &Rotor) -> Option<RotorProblem> {
+    let base = &rotor.base;
+    let mut inboard = base.hinges.iter().take_while(|hinge| hinge.kind != PITCH);
+    let flaps = inboard.any(|hinge| hinge.kind == FLAP);
+    let is_idle = matches!(&rotor.control, pitch::Control::Bearing(link) if link.delta_3 != 0.0);
+    (is_idle && !flaps && !base.has_flexbeam).then(|| RotorProblem::Hub {
+        hub: rotor.hub.word,
+        found: "has \"delta_3\" without a flap hinge inboard of the pitch bearing".to_owned(),
+        expected: "[[rotor.hinge]] with kind = \"flap\", or a hub that tilts",
+    })
 }
 
 /// Line and key of a drive in a pitch that must be an expression.
@@ -330,7 +345,7 @@ fn pitch_problem(rotor: &Rotor) -> Option<RotorProblem> {
 
 /// Whether the pitch bearing has a spring or damper of its own.
 fn has_spring(base: &Base) -> bool {
-    let mut bearings = base.hinges.iter().filter(|hinge| hinge.kind == arms::PITCH);
+    let mut bearings = base.hinges.iter().filter(|hinge| hinge.kind == PITCH);
     bearings.any(|hinge| hinge.restraint.stiffness != 0.0 || hinge.restraint.damping != 0.0)
 }
 

@@ -272,7 +272,7 @@ impl Component {
 }
 
 /// The name of the deformation of a damper in expressions.
-fn signal(name: &str) -> String {
+pub(super) fn signal(name: &str) -> String {
     let letter = |letter: char| {
         if letter.is_ascii_alphanumeric() {
             letter

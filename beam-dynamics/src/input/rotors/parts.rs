@@ -6,8 +6,7 @@ use shared_geom::units::Dimension;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
-use super::arms::PITCH;
-use super::base::{Base, Hinge, Lump, Restraint, Stop};
+use super::base::{Base, Hinge, Lump, PITCH, Restraint, Stop};
 use super::context::Context;
 use super::controls::{self, Pitch, Wanted};
 use super::damper_parts;
@@ -23,7 +22,7 @@ use super::plate::Plate;
 use super::problem::RotorProblem;
 use crate::elements::Smoothness;
 use crate::input::aerodynamics::OF_ROTOR as OF_INFLOW;
-use crate::input::blades::OF_ROTOR as OF_BLADE;
+use crate::input::blades::{HUB_RADIUS, OF_ROTOR as OF_BLADE};
 use crate::input::moments::moments;
 
 /// The key of the fixed pitch of a blade.
@@ -88,7 +87,7 @@ pub(super) fn blade(table: &Table<'_>) -> Option<Blade> {
             Some(0.0)
         }
     };
-    let radius = number("hub_radius", Dimension::LENGTH);
+    let radius = blade.get(&HUB_RADIUS);
     let precone = number("precone", Dimension::ANGLE);
     let pitch = number(PITCH_KEY, Dimension::ANGLE);
     let mut keys = passed_on(&blade, &OF_BLADE);
@@ -193,6 +192,8 @@ fn stop(table: &Table<'_>) -> Option<Stop> {
 /// Reads the hinges of a rotor whose blades begin at the radius `root` \[m\].
 pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
     let mut before = None;
+    // Places and kinds of hinges without a spring.
+    let mut free: Vec<(f64, usize)> = Vec::new();
     table.each(&HINGES, |table| {
         let (kind, offset) = (table.get(&KIND), table.get(&OFFSET));
         let restraint = restraint(table);
@@ -211,11 +212,20 @@ pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
             return None;
         }
         before = Some(offset);
+        let (restraint, damper) = (restraint?, damper?);
+        if restraint.stiffness == 0.0 && damper.is_none() {
+            if free.contains(&(offset, kind)) {
+                let kind = KINDS[kind];
+                table.note(KIND.name(), &RotorProblem::HingesAlike { kind, offset });
+                return None;
+            }
+            free.push((offset, kind));
+        }
         Some(Hinge {
             kind,
             offset,
-            restraint: restraint?,
-            damper: damper?,
+            restraint,
+            damper,
         })
     })
 }
@@ -261,7 +271,7 @@ impl Controls {
         match (&self.pitch, &self.plate, self.link) {
             (None, _, _) | (_, Some(_), _) => Control::Free,
             (_, _, None) => Control::Prescribed,
-            (_, _, Some(link)) if tilts || link.delta_3 != 0.0 => Control::Coupled(link),
+            (_, _, Some(link)) if tilts => Control::Coupled(link),
             (_, _, Some(link)) => Control::Bearing(link),
         }
     }

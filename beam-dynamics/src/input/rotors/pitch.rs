@@ -1,8 +1,15 @@
 //! The pitch bearing of a blade and its control.
 //!
-//! A link with the stiffness k and the coupling `K_p = tan(delta_3)` is a spring of the rotation
-//! vector psi of the blade against the hub, in the axes of the blade, where the pitch is `psi_x` and
-//! the flap angle `-psi_y`:
+//! A link with the stiffness k and the coupling `K_p = tan(delta_3)` has, by the angle p of the bearing and the
+//! angle beta of the flap hinges inboard of it, the moments
+//!
+//! ```text
+//! M = k (p + K_p beta - theta)     on the blade -M, on the flap hinges -K_p M
+//! ```
+//!
+//! a spring of the bearing, whose moment is sensed, and moments between the parts of the hinges. On hubs that
+//! tilt, and on flexbeams, it is a spring of the rotation vector psi of the blade against the hub, in the axes of
+//! the blade, where the pitch is `psi_x` and the flap angle `-psi_y`:
 //!
 //! ```text
 //! M = k n (n . psi - theta)        n = (1, -K_p, 0)
@@ -15,8 +22,14 @@
 use nalgebra::Vector3;
 use shared_geom::document::{Card, Content};
 
-use super::base::{Base, Hinge, Local, Restraint, lengths};
+use super::base::{Base, FLAP, Hinge, Local, PITCH, Restraint, lengths, signed};
 use super::controls::Sum;
+use super::damper::signal;
+
+/// The quantities of the sensors of a coupling.
+const MOMENT: &str = "spring_moment";
+const ANGLE: &str = "joint_angle";
+const RATE: &str = "joint_angular_velocity";
 
 /// Control stiffness between swashplate and blade.
 #[derive(Debug, Clone, Copy)]
@@ -42,11 +55,11 @@ pub(super) enum Control {
     Coupled(Link),
 }
 
-/// The cards of the pitch bearing of blade `k` between two nodes.
+/// The cards of the pitch bearing of blade `k` between two nodes, outboard of flap hinges between others.
 pub(super) fn cards(
     base: &Base,
     (k, nodes): (usize, [&str; 2]),
-    hinge: &Hinge,
+    (hinge, flaps): (&Hinge, &[[String; 2]]),
     (control, command): (&Control, &Sum),
 ) -> Vec<Card> {
     let arm = base.arm(k);
@@ -62,6 +75,19 @@ pub(super) fn cards(
                 .with("axis", Content::numbers(axis.iter().copied()))
                 .with("angle", command.content()),
         ],
+        Control::Bearing(link) if link.delta_3 != 0.0 => {
+            let coupling = Coupling {
+                base,
+                k,
+                link,
+                flaps,
+            };
+            let bearing = bearing(&hinge.restraint);
+            [bearing]
+                .into_iter()
+                .chain(coupling.cards(nodes, command))
+                .collect()
+        }
         Control::Bearing(link) => {
             let restraint = Restraint {
                 stiffness: link.stiffness,
@@ -92,6 +118,93 @@ pub(super) fn coupled(
         .with("nodes", Content::texts([hub.as_str(), node]))
         .with("in", arm.name.as_str())
         .with("rotational_law", law(base, link, command))
+}
+
+/// The coupling of a pitch bearing with the flap hinges inboard of it, of blade `k`.
+struct Coupling<'a> {
+    base: &'a Base,
+    k: usize,
+    link: &'a Link,
+    /// The nodes of each flap hinge.
+    flaps: &'a [[String; 2]],
+}
+
+impl Coupling<'_> {
+    /// The spring of the bearing, the part of the flap angle in its moment, and the moments on the flap hinges.
+    fn cards(&self, nodes: [&str; 2], command: &Sum) -> Vec<Card> {
+        let Self {
+            base,
+            k,
+            link,
+            flaps,
+        } = self;
+        let (arm, name) = (base.arm(*k), base.of_blade(*k, "pitch link"));
+        let spring = Link {
+            delta_3: 0.0,
+            ..**link
+        };
+        let sensor = |of: &str, quantity: &str, unit: &str| {
+            Card::single(["sensors", &signal(&format!("{of} {quantity}"))], base.line)
+                .with("quantity", quantity)
+                .with("of", of)
+                .with("unit", unit)
+        };
+        let mut cards = vec![
+            base.listed("spring")
+                .with("name", name.as_str())
+                .with("nodes", Content::texts(nodes))
+                .with("in", arm.name.as_str())
+                .with("rotational_law", law(base, &spring, command)),
+            sensor(&name, MOMENT, "N*m").with("component", "x"),
+        ];
+        for [_, flap] in *flaps {
+            cards.push(sensor(flap, ANGLE, "rad"));
+            if link.damping != 0.0 {
+                cards.push(sensor(flap, RATE, "rad/s").with("component", "x"));
+            }
+        }
+        let added = self.added();
+        let ratio = signed(link.delta_3.tan());
+        let moment = |part: &str, nodes: [&str; 2], axis: Vector3<f64>, drive: String| {
+            base.listed("internal_force")
+                .with("name", format!("{name} {part}"))
+                .with("nodes", Content::texts(nodes))
+                .with("in", arm.name.as_str())
+                .with("moment", Content::quantities(axis.iter().copied(), "N*m"))
+                .with("drive", format!("= {drive}"))
+        };
+        let sign = signed(base.side());
+        let total = format!(
+            "{ratio}*({sign}*{} + {added})",
+            signal(&format!("{name} {MOMENT}"))
+        );
+        cards.push(moment(
+            "coupling",
+            nodes,
+            base.axis(PITCH),
+            format!("-({added})"),
+        ));
+        for (number, [inner, flap]) in flaps.iter().enumerate() {
+            let part = format!("on flap {}", number + 1);
+            let axis = base.axis(FLAP);
+            cards.push(moment(&part, [inner, flap], axis, format!("-{total}")));
+        }
+        cards
+    }
+
+    /// The moment about the bearing by the flap angles, as an expression.
+    fn added(&self) -> String {
+        let link = self.link;
+        let ratio = link.delta_3.tan();
+        let terms = self.flaps.iter().flat_map(|[_, flap]| {
+            let term = |factor: f64, quantity: &str| {
+                let name = signal(&format!("{flap} {quantity}"));
+                (factor != 0.0).then(|| format!("{}*{name}", signed(ratio * factor)))
+            };
+            [term(link.stiffness, ANGLE), term(link.damping, RATE)]
+        });
+        terms.flatten().collect::<Vec<_>>().join(" + ")
+    }
 }
 
 /// The spring of the bearing itself, beside the spring of the control.

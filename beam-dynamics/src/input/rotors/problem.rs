@@ -84,6 +84,17 @@ pub enum RotorProblem {
         /// Radius of the root \[m\].
         to: f64,
     },
+    /// Two hinges of a kind at one place, neither with a spring.
+    #[error(
+        "two {kind} hinges are at {} m from the center of the hub, and neither has a stiffness, expected one there",
+        short_number(*.offset, 6)
+    )]
+    HingesAlike {
+        /// Their kind.
+        kind: &'static str,
+        /// Their offset \[m\].
+        offset: f64,
+    },
     /// A stop without an angle, or with angles in the wrong order.
     #[error("the stop has {found}, expected \"lower\" below \"upper\", or one of them")]
     Stop {
@@ -372,6 +383,9 @@ impl Explain for RotorProblem {
             Self::HingeOrder { .. } => {
                 "list hinges from the hub outward; \"hub_radius\" of [rotor.blade] is the radius of \
                  the root, to which flexbeam and torque tube reach"
+            }
+            Self::HingesAlike { .. } => {
+                "remove one, or give it another \"offset\" or \"kind\": without \"offset\" a hinge is where the previous one is"
             }
             Self::NoHolder { .. } => {
                 "end a piece of [rotor.flexbeam] there, or give the snubber the \"offset\" of a node"

@@ -32,6 +32,17 @@ pub enum RotorRunProblem {
         /// The period [s].
         period: f64,
     },
+    /// A start that turns the whole model, with a rotor on a part that stands.
+    #[error(
+        "\"start\" is \"rotating\", which turns the whole model, but rotor \"{name}\" turns on node \"{carrier}\", \
+         which stands"
+    )]
+    CarriedStart {
+        /// Name of the rotor.
+        name: String,
+        /// Node of the shaft.
+        carrier: String,
+    },
     /// A run whose first instant is between whole turns.
     #[error(
         "rotor \"{name}\" has turned by {} deg at the first instant, \"from\" of {card}, {} s, but the \
@@ -62,6 +73,9 @@ impl Explain for RotorRunProblem {
             }
             Self::Period { .. } => {
                 "give [periodic] the \"speed\" of the rotor with the same digits, or the common period of all rotors"
+            }
+            Self::CarriedStart { .. } => {
+                "write start = \"given\", with which the rotor begins with its \"speed\" and its support at rest"
             }
             Self::FirstInstant { turn, .. } => {
                 return Some(format!(

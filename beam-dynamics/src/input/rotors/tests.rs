@@ -55,9 +55,9 @@ fn read(text: &str) -> Input {
     parse(text, "a.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}\n{text}"))
 }
 
-/// The problems of a text.
+/// The problems of a text, with the ones of the analyses of a period.
 fn refused(text: &str) -> String {
-    match parse(text, "a.dynamics.toml") {
+    match parse(text, "a.dynamics.toml").and_then(Input::repeating) {
         Err(problems) => problems.to_string(),
         Ok(_) => panic!("accepted: {text}"),
     }

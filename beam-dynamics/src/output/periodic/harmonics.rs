@@ -6,10 +6,12 @@ use crate::result::Harmonics;
 
 /// Digits of numbers.
 const DIGITS: usize = 5;
+/// Harmonics below this part of the largest number of a unit are round-off.
+const ROUND_OFF: f64 = 1e-14;
 
 /// Of each column the mean, and size and phase of the harmonics 1, N and 2 N of a revolution, given the
 /// number N of blades and the revolutions in a period: a rotor of equal blades passes to the fixed system
-/// only multiples of N. Empty without harmonics at these.
+/// only multiples of N. Empty without harmonics at these. Harmonics that are round-off are zero, without a phase.
 pub fn rotor_harmonics_text(
     columns: &[Column],
     found: &[Harmonics],
@@ -42,7 +44,15 @@ pub fn rotor_harmonics_text(
         ));
     }
     text.push('\n');
+    let largest = |unit: &str| {
+        let of_unit = columns
+            .iter()
+            .zip(found)
+            .filter(|(column, _)| column.unit == unit);
+        of_unit.map(|(_, own)| own.largest()).fold(0.0, f64::max)
+    };
     for (column, own) in columns.iter().zip(found) {
+        let least = ROUND_OFF * largest(&column.unit);
         let name = format!("{} [{}]", column.name, column.unit);
         text.push_str(&format!(
             "  {name:width$}  {:>12}",
@@ -54,13 +64,23 @@ pub fn rotor_harmonics_text(
                 .get(order * revolutions - 1)
                 .copied()
                 .unwrap_or_default();
-            let size = short_number(cosine.hypot(sine), DIGITS);
-            let phase = sine.atan2(cosine).to_degrees();
-            text.push_str(&format!("  {size:>12} {phase:>11.2}"));
+            let [size, phase] = shown([cosine, sine], least);
+            text.push_str(&format!("  {size:>12} {phase:>11}"));
         }
         text.push('\n');
     }
     text
+}
+
+/// Size and phase of a harmonic; zero without a phase below the least size.
+fn shown([cosine, sine]: [f64; 2], least: f64) -> [String; 2] {
+    let size = cosine.hypot(sine);
+    if size > least {
+        let phase = format!("{:.2}", sine.atan2(cosine).to_degrees());
+        [short_number(size, DIGITS), phase]
+    } else {
+        ["0", "-"].map(str::to_owned)
+    }
 }
 
 #[cfg(test)]
@@ -89,6 +109,15 @@ mod tests {
         let words: Vec<_> = last.split_whitespace().collect();
         assert_eq!(words, ["lift", "[N]", "7", "5", "53.13", "2", "-90.00"]);
         assert!(!rotor_harmonics_text(&columns, &found, (&[3], 1)).contains("3/rev"));
+        // Round-off of the lift.
+        let small = [Harmonics {
+            mean: 7.0,
+            parts: vec![[3e-14, 4e-14], [0.0, -2.0]],
+        }];
+        let text = rotor_harmonics_text(&columns, &small, (&[2], 1));
+        let last = text.lines().last().unwrap();
+        let words: Vec<_> = last.split_whitespace().collect();
+        assert_eq!(words, ["lift", "[N]", "7", "0", "-", "2", "-90.00"]);
         assert_eq!(rotor_harmonics_text(&columns, &found, (&[3], 3)), "");
     }
 }

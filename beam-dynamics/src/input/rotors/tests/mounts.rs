@@ -1,6 +1,6 @@
 //! Towers, nacelles, wings and pylons: places and frequencies against closed forms.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -182,6 +182,55 @@ fn towers_of_elastodyn_bend_fore_aft_and_sideways() {
         let ratio = 0.5e-2 * TAU * factor * expected;
         assert!((point.damping_ratio / ratio - 1.0).abs() < 1e-3);
     }
+}
+
+// The tower of a windIO file is a tube: under a mass M, 1 / w^2 = M (L^3 / (3 E I) + L / (G A / 2)) in both directions;
+// without the name of the body the file is the one of a blade.
+#[test]
+fn towers_of_windio_files_are_tubes() {
+    const MASS: f64 = 5e3;
+    let [outer, inner] = [0.1_f64, 0.09];
+    let folder = tempfile::tempdir().unwrap();
+    let turbine = format!(
+        "components:\n  blade:\n    outer_shape: {{}}\n  tower:\n    outer_shape:\n      outer_diameter: \
+         {{grid: [0, 1], values: [{0:?}, {0:?}]}}\n    structure:\n      layers:\n      - name: wall\n        \
+         material: steel\n        thickness: {{grid: [0, 1], values: [0.01, 0.01]}}\n    reference_axis:\n      \
+         z: {{grid: [0, 1], values: [10, {1:?}]}}\nmaterials:\n- {{name: steel, E: 2e11, nu: 0.3, rho: 1e-2}}\n",
+        2.0 * outer,
+        10.0 + HEIGHT
+    );
+    std::fs::write(folder.path().join("turbine.yaml"), turbine).unwrap();
+    let path = folder.path().join("a.dynamics.toml");
+    let parsed = |body: &str| {
+        let mount = format!(
+            "[rotor.tower]\nheight = {HEIGHT}\nfile = \"turbine.yaml\"\n{body}elements = 3\n\
+             [rotor.nacelle]\nmass = {MASS:?}\n"
+        );
+        let text = rotor("", &mount, "[modes]\nspeeds = 0\ncount = 2\n");
+        crate::input::parse(&text, path.display().to_string())
+    };
+    let input = parsed("body = \"tower\"\n").unwrap_or_else(|problems| panic!("{problems}"));
+    let outcome = modes(&input.model, &input.modes.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let [e, g] = [2e11, 2e11 / 2.6];
+    let area = PI * (outer * outer - inner * inner);
+    let second = 0.25 * PI * (outer.powi(4) - inner.powi(4));
+    let flexibility = HEIGHT.powi(3) / (3.0 * e * second) + HEIGHT / (0.5 * g * area);
+    let expected = (MASS * flexibility).sqrt().recip() / TAU;
+    let points = outcome.table.at_speed(0);
+    assert_eq!(points.len(), 2);
+    for (_, point) in points {
+        assert!(
+            (point.frequency / expected - 1.0).abs() < 1e-4,
+            "{} {expected}",
+            point.frequency
+        );
+    }
+    let problems = parsed("").unwrap_err().to_string();
+    assert!(
+        problems.contains("of components.blade is missing"),
+        "{problems}"
+    );
 }
 
 // The body of the tower in a file of a turbine: its own line, turned upward. Other names and lengths, and

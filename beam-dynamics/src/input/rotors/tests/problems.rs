@@ -320,7 +320,8 @@ const CONTROLS: &[(&str, &str)] = &[
     ),
     (
         "harmonic = [{ order = 2, cosine = \"none\" }]",
-        "unknown signal \"none\" in \"cosine\"\n  help: signal: \"height\", \"a\"",
+        "unknown signal \"none\" in \"cosine\"\n  help: a quantity of the model becomes a signal by \
+         [sensors.NAME]; signals are \"height\", \"a\"",
     ),
     (
         "cosine = { kind = \"ramp\", to = 1 }",
@@ -514,4 +515,161 @@ fn dampers_without_length_and_beyond_all_digits_are_refused() {
                     all other parts would be lost in round-off";
     assert!(shown.contains(expected), "{shown}");
     assert_eq!(shown.matches("error:").count(), 1, "{shown}");
+}
+
+/// A start that turns the whole model with a part that stands is refused at its line, in runs and in periodic
+/// motion; a given start is not.
+#[test]
+fn rotating_starts_of_carried_rotors_are_refused_at_their_line() {
+    let pylon = "[[node]]\nname = \"pylon\"\nposition = [0, 0, 0]\n[[body]]\nname = \"pylon\"\nnode = \"pylon\"\n\
+                 mass = 30\ninertia = [1, 1, 1]\n[[spring]]\nname = \"gear\"\nnode = \"pylon\"\n\
+                 stiffness = [1e5, 2e5, 1e6]\nrotational_stiffness = [1e5, 1e5, 1e5]\n";
+    let tower = "[rotor.tower]\nheight = 5\nproperties = \"strip\"\n";
+    for (keys, cards, node) in [
+        ("speed = 1\nnode = \"pylon\"", pylon, "pylon"),
+        ("speed = 1", tower, "r/nacelle"),
+    ] {
+        for run in [
+            "[transient]\nto = 0.1\nstep = 1e-3\nspeed = 1\n",
+            "[periodic]\nspeed = 1\n",
+        ] {
+            let of =
+                |start: &str| text("rigid", keys, &format!("{cards}{run}start = \"{start}\"\n"));
+            let wrong = of("rotating");
+            let line = wrong
+                .lines()
+                .position(|line| line.starts_with("start"))
+                .unwrap()
+                + 1;
+            let found = refused(&wrong);
+            let expected = format!(
+                "a.dynamics.toml:{line}: \"start\" is \"rotating\", which turns the whole model, but rotor \"r\" \
+                 turns on node \"{node}\", which stands"
+            );
+            assert!(found.contains(&expected), "{found}");
+            assert_eq!(found.matches("help:").count(), 1, "{found}");
+            let given = of("given").replace("speed = 1\nstart", "start");
+            if run.starts_with("[transient]") {
+                parse(&given, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+            }
+        }
+    }
+}
+
+/// The radius of the root, not the hinge that is beyond it; and hinges that turn about one axis.
+#[test]
+fn wrong_roots_and_doubled_hinges_are_named() {
+    let flap = "speed = 1\n[[rotor.hinge]]\nkind = \"flap\"\n";
+    let negative = text("articulated", flap, RUN).replace("hub_radius = 0.2", "hub_radius = -0.2");
+    let found = refused(&negative);
+    assert!(
+        found.contains("\"hub_radius\" is -0.2, expected a length, zero or more"),
+        "{found}"
+    );
+    assert_eq!(
+        found.matches("error").count() + found.matches("help:").count(),
+        1,
+        "{found}"
+    );
+    let two = format!("{flap}offset = 0.1\n[[rotor.hinge]]\nkind = \"flap\"\n");
+    let found = refused(&text("articulated", &two, RUN));
+    assert!(
+        found.contains(
+            "two flap hinges are at 0.1 m from the center of the hub, and neither has a stiffness"
+        ),
+        "{found}"
+    );
+    for sound in [
+        format!("{two}stiffness = 5\n"),
+        format!("{two}offset = 0.15\n"),
+    ] {
+        let sound = text("articulated", &sound, RUN);
+        parse(&sound, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+    }
+}
+
+/// A coupling with flapping that no hinge has.
+#[test]
+fn a_coupling_without_flap_hinges_is_refused() {
+    let link = "speed = 1\n[rotor.swashplate]\ncollective = 1\n[rotor.pitch_link]\nstiffness = 9\ndelta_3 = 10\n";
+    let found = refused(&text("hingeless", link, RUN));
+    assert!(
+        found.contains(
+            "a hub of the kind \"hingeless\" has \"delta_3\" without a flap hinge inboard"
+        ),
+        "{found}"
+    );
+    let first = format!(
+        "{link}[[rotor.hinge]]\nkind = \"pitch\"\noffset = 0.1\n[[rotor.hinge]]\nkind = \"flap\"\n"
+    );
+    assert!(refused(&text("articulated", &first, RUN)).contains("without a flap hinge inboard"));
+}
+
+/// A period with fewer digits than the speed of the rotor has the time of whole turns, with a remark; without
+/// period and speed it is a turn of the first rotor. More than a millionth is an error.
+#[test]
+fn periods_follow_the_speed_of_the_rotor() {
+    let speed = 7.0 * std::f64::consts::TAU / 60.0;
+    let of = |card: &str| {
+        let text = text("rigid", "speed = 7", &format!("[periodic]\n{card}\n"));
+        let input = parse(&text, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+        let input = input
+            .repeating()
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        (input.periodic.unwrap(), input.remarks)
+    };
+    for (card, turns, is_rounded) in [
+        ("", 1.0, false),
+        ("revolutions = 3", 3.0, false),
+        ("speed = 7", 1.0, false),
+        ("period = 8.5714286", 1.0, true),
+        ("speed = 7.000001", 1.0, true),
+        ("speed = 3.500001", 2.0, true),
+    ] {
+        let (settings, remarks) = of(card);
+        let exact = turns * std::f64::consts::TAU / speed;
+        assert!(
+            (settings.period / exact - 1.0).abs() < 1e-14,
+            "{card}: {}",
+            settings.period
+        );
+        if let Some(own) = settings.speed {
+            let whole = own * settings.period / std::f64::consts::TAU;
+            assert!((whole - whole.round()).abs() < 1e-12, "{card}: {own}");
+        }
+        let found: Vec<_> = remarks
+            .iter()
+            .filter(|one| one.contains("the period of"))
+            .collect();
+        assert_eq!(found.len(), usize::from(is_rounded), "{card}: {remarks:?}");
+        if is_rounded {
+            assert!(
+                found[0].contains("of rotor \"r\" at 7 rpm, in place of"),
+                "{found:?}"
+            );
+        }
+    }
+    let off = text("rigid", "speed = 7", "[periodic]\nspeed = 7.0001\n");
+    assert!(refused(&off).contains("rotor \"r\" turns 0.9999857"));
+}
+
+/// The period is checked by the analyses that use it only.
+#[test]
+fn other_analyses_do_not_check_the_period() {
+    let both = text(
+        "rigid",
+        "speed = 7",
+        "[periodic]\nspeed = 8\n[modes]\nspeeds = [7]\n",
+    );
+    let input = parse(&both, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+    assert!(input.modes.is_some());
+    let found = input.repeating().unwrap_err().to_string();
+    assert!(found.contains("rotor \"r\" turns 0.875 times"), "{found}");
+    assert_eq!(found.matches("help:").count(), 1, "{found}");
+    // Beside other problems of the file all are shown.
+    let found = refused(&both.replace("[modes]", "[[clamp]]\nnode = \"nod\"\n[modes]"));
+    assert!(
+        found.contains("\"nod\"") && found.contains("rotor \"r\" turns 0.875 times"),
+        "{found}"
+    );
 }

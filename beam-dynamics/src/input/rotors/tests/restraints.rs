@@ -1,6 +1,8 @@
 //! Stops, dampers and links against closed forms.
 
+use nalgebra::Vector3;
 use shared_geom::expression::{Expression, Jet, Names};
+use shared_geom::rotation::vector;
 
 use super::{read, text};
 use crate::analysis::statics::statics;
@@ -122,7 +124,7 @@ fn turned(text: &str, node: &str) -> [f64; 2] {
     let index = nodes.iter().position(|own| own.label == node).unwrap();
     let last = outcome.result.steps.last().unwrap();
     let turn = last.rotations[index] * nodes[index].rotation.transpose();
-    let turn = shared_geom::rotation::vector::from_rotation(&turn);
+    let turn = vector::from_rotation(&turn);
     [-turn.y, turn.x]
 }
 
@@ -142,6 +144,71 @@ fn a_blade_rests_on_its_droop_stop() {
         (found / expected - 1.0).abs() < 1e-3,
         "{found} {expected}, {flap}"
     );
+}
+
+/// Angles of flap, lag and pitch hinges in the equilibrium under a force at the tip and a couple \[rad\].
+fn coupled_angles(delta_3: f64, damping: &str) -> [f64; 3] {
+    let keys = format!(
+        "speed = 0\n[[rotor.hinge]]\nkind = \"flap\"\noffset = 0.1\nstiffness = 2000\n\
+         [[rotor.hinge]]\nkind = \"lag\"\nstiffness = 900\n[rotor.swashplate]\ncollective = 3\n\
+         [rotor.pitch_link]\nstiffness = 3e3\n{damping}delta_3 = {delta_3:?}\n"
+    );
+    let rest = "[[load]]\nnode = \"r 1/tip\"\nforce = [0, 70, 130]\nmoment = [90, 0, 0]\n[static]\nsteps = 4\n";
+    let input = read(&text("articulated", &keys, rest));
+    let outcome = statics(&input.model, &input.statics.unwrap());
+    assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+    let nodes = input.model.system.nodes();
+    let last = outcome.result.steps.last().unwrap();
+    let [flap, lag, blade] = ["r 1/flap", "r 1/lag", "r 1/pitch"].map(|node| {
+        let index = nodes.iter().position(|own| own.label == node).unwrap();
+        last.rotations[index] * nodes[index].rotation.transpose()
+    });
+    let angle = |of| vector::from_rotation(&of);
+    [
+        -angle(flap).y,
+        angle(flap.transpose() * lag).z,
+        angle(lag.transpose() * blade).x,
+    ]
+}
+
+// At flap and lag angles of several degrees a coupling of nearly zero changes nothing, to the size of the tangent.
+#[test]
+fn a_coupling_of_nearly_zero_is_none() {
+    let none = coupled_angles(0.0, "");
+    assert!(none[0] > 0.05 && none[1] > 0.05, "{none:?}");
+    for damping in ["", "damping = 3\n"] {
+        for delta_3 in [1e-9, -1e-9] {
+            let found = coupled_angles(delta_3, damping);
+            for (found, none) in found.iter().zip(&none) {
+                assert!((found - none).abs() < 1e-9, "{found} {none}");
+            }
+        }
+    }
+}
+
+// The coupling is a potential: at 25 degrees the equilibrium is the one of k_b/2 beta^2 + k_z/2 zeta^2 + k/2 (p + K
+// beta)^2 less the work of the force at the tip, 1.1 m from both hinges, and of the couple about x. The blade bends by
+// 1e-4.
+#[test]
+fn the_moment_of_a_coupling_acts_on_flapping() {
+    let [beta, zeta, p] = coupled_angles(25.0, "");
+    let ratio = 25.0_f64.to_radians().tan();
+    let moment = 3e3 * (p + ratio * beta);
+    let along = Vector3::new(beta.cos() * zeta.cos(), zeta.sin(), beta.sin() * zeta.cos());
+    let by_beta = Vector3::new(-beta.sin() * zeta.cos(), 0.0, beta.cos() * zeta.cos());
+    let by_zeta = Vector3::new(
+        -beta.cos() * zeta.sin(),
+        zeta.cos(),
+        -beta.sin() * zeta.sin(),
+    );
+    let force = Vector3::new(0.0, 1.1 * 70.0, 1.1 * 130.0);
+    for (found, expected) in [
+        (moment, 90.0 * along.x),
+        (2000.0 * beta + ratio * moment, force.dot(&by_beta)),
+        (900.0 * zeta, force.dot(&by_zeta) - 90.0 * beta.sin()),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+    }
 }
 
 // With a stiff link the pitch is -tan(delta_3) times the flap angle, and the link has no moment, so that

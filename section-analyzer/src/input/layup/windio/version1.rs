@@ -177,12 +177,22 @@ fn rules(
     all
 }
 
+/// The key of `offset_y_pa` in files before windIO 1.0.
+const FORMER: &str = "offset_x_pa";
+
 /// The places of a layer without any rule; notes a web without one, and parts of rules.
 fn around(holder: Holder, item: &Node, of: &str, notes: &mut Notes) -> Option<[Place; 2]> {
     let given: Vec<&str> = KEYS
         .into_iter()
         .filter(|key| item.entry(key).is_some())
         .collect();
+    if let Some(node) = item.entry(FORMER) {
+        let (what, found) = (format!("the place of {of}"), format!("\"{FORMER}\""));
+        let help = "files before windIO 1.0 have it: rename it if offset, rotation and side have the meaning of \
+                    windIO 1.0, from the pitch axis toward the trailing edge";
+        notes.wrong(node.line, [&what, &found, "\"offset_y_pa\"", help]);
+        return None;
+    }
     let has = |key: &str| given.contains(&key);
     let expected = match holder {
         Holder::Layer if given.is_empty() => return Some([Place::arc(0.0), Place::arc(1.0)]),
