@@ -134,8 +134,7 @@ pub(super) fn averaged(
         let reason = format!("the blades differ, mostly in the {equation}");
         return Err([reason, USE_FLOQUET.to_owned()]);
     }
-    let tangent = sum.mean.tangent();
-    let vacuum = sum.vacuum.map(|mean| mean.tangent());
+    let (tangent, vacuum) = tangents(&sum.mean, sum.vacuum.as_ref());
     Ok(Averaged {
         model: own,
         tangent,
@@ -353,10 +352,9 @@ impl<'a> Mean<'a> {
         }
     }
 
-    /// The means, without those that are round-off of their terms.
-    fn tangent(&self) -> Tangent {
+    /// Rows, columns and the means there, without those that are round-off of their terms.
+    fn entries(&self) -> Vec<(usize, usize, [f64; 2])> {
         let slots = &self.coordinates.slots;
-        let size = self.coordinates.slot_of.len();
         let count = self.count.max(1) as f64;
         let mut entries = Vec::new();
         for ((row, column), [sums, sizes]) in &self.sums {
@@ -376,8 +374,17 @@ impl<'a> Mean<'a> {
                 }
             }
         }
-        let indices = entries.iter().map(|entry| (entry.0, entry.1)).collect();
-        let pattern = Arc::new(Pattern::new(size, indices));
+        entries
+    }
+}
+
+/// The means with and without air, on one pattern.
+fn tangents(mean: &Mean<'_>, vacuum: Option<&Mean<'_>>) -> (Tangent, Option<Tangent>) {
+    let (own, alone) = (mean.entries(), vacuum.map(Mean::entries));
+    let all = own.iter().chain(alone.iter().flatten());
+    let indices = all.map(|entry| (entry.0, entry.1)).collect();
+    let pattern = Arc::new(Pattern::new(mean.coordinates.slot_of.len(), indices));
+    let filled = |entries: Vec<(usize, usize, [f64; 2])>| {
         let [mut by_unknowns, mut by_rates] = [(); 2].map(|()| Sparse::zero(Arc::clone(&pattern)));
         for (row, column, [a, e]) in entries {
             if let Some(index) = pattern.index(row, column) {
@@ -389,7 +396,8 @@ impl<'a> Mean<'a> {
             by_unknowns,
             by_rates,
         }
-    }
+    };
+    (filled(own), alone.map(filled))
 }
 
 fn dense(matrix: &Matrix3<f64>) -> DMatrix<f64> {

@@ -44,6 +44,8 @@ pub struct StabilityRoot {
     /// Number of waves around a rotor of blades, if one pattern prevails: modes of different ones are
     /// different modes.
     pub waves: Option<i32>,
+    /// Number of blades of the rotor that moves, zero of a part outside the blades; `None` if it is not known.
+    pub blades: Option<usize>,
     /// Motion and momentum of the mode, for comparisons; empty if they are not known \[any unit\].
     pub shape: [Vec<Complex<f64>>; 2],
 }
@@ -68,6 +70,7 @@ impl StabilityRoot {
             others: Vec::new(),
             name: String::new(),
             in_blades: exponent.im.abs(),
+            blades: None,
             number: 1,
             is_named: false,
             pattern: None,

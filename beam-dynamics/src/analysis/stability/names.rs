@@ -17,6 +17,8 @@
 //!
 //! So the name of a root depends on the state at its value alone, and not on other values of a sweep.
 
+use std::collections::BTreeMap;
+
 use crate::modes::{assign, unlikeness};
 use crate::result::StabilityRoot;
 
@@ -52,14 +54,43 @@ pub(super) fn give_names(roots: &mut [StabilityRoot], vacuum: Vacuum) {
 }
 
 /// Gives each root its number among all of its name, by ascending frequency in the axes of the blades;
-/// oscillations before others.
+/// oscillations before others. Blades without one pattern have the place of a pattern that is missing.
 fn number(roots: &mut [StabilityRoot]) {
-    let order = order(roots);
-    for (place, &index) in order.iter().enumerate() {
+    // Indices of the roots with each number, by names.
+    let mut families: BTreeMap<String, Vec<Vec<usize>>> = BTreeMap::new();
+    for index in order(roots) {
         let own = &roots[index];
-        let before = order[..place].iter().map(|other| &roots[*other]);
-        roots[index].number = 1 + before.filter(|root| is_alike(root, own)).count();
+        if own.pattern.is_none() {
+            // It is numbered behind the pattern.
+            roots[index].number = 1;
+            continue;
+        }
+        let all = families.entry(own.name.clone()).or_default();
+        let fits = |family: &Vec<usize>| {
+            let others = || family.iter().map(|other| &roots[*other]);
+            let has_place = others().all(has_pattern) || family.len() < own.blades.unwrap_or(1);
+            match has_pattern(own) {
+                true => has_place && !others().any(|other| is_alike(other, own)),
+                false => family.len() < own.blades.unwrap_or(1).max(1),
+            }
+        };
+        let place = all.iter().position(fits).unwrap_or(all.len());
+        if place == all.len() {
+            all.push(Vec::new());
+        }
+        all[place].push(index);
+        roots[index].number = place + 1;
     }
+}
+
+/// Whether its blades have one pattern.
+fn has_pattern(root: &StabilityRoot) -> bool {
+    root.pattern.as_deref().is_some_and(|own| !own.is_empty())
+}
+
+/// Whether it is of a part outside the blades.
+fn is_of_part(root: &StabilityRoot) -> bool {
+    root.blades == Some(0)
 }
 
 /// Indices by ascending frequency in the axes of the blades, of roots that do not oscillate last.
@@ -87,16 +118,22 @@ fn from_vacuum(roots: &mut [StabilityRoot], (mut modes, has_states): (Vec<Stabil
     number(&mut modes);
     let mut mode_of = assigned(roots, (&modes, has_states));
     ascend(&mut mode_of, roots, &modes);
+    // Parts outside the blades are named by their own motion: the air hardly changes it, but separates directions
+    // of equal stiffness apart.
+    number(roots);
     for (root, mode) in roots.iter_mut().zip(&mode_of) {
         match mode {
             Some(mode) => take(root, &modes[*mode]),
+            None if is_of_part(root) => {}
             None if has_states && root.growth() < 0.0 => OF_AIR.clone_into(&mut root.name),
             None => {}
         }
     }
     let order = order(roots);
     let mut others: Vec<usize> = Vec::new();
-    for index in order.into_iter().filter(|index| mode_of[*index].is_none()) {
+    let is_other = |index: &usize| mode_of[*index].is_none() && !is_of_part(&roots[*index]);
+    let unnamed: Vec<_> = order.into_iter().filter(is_other).collect();
+    for index in unnamed {
         let own = &roots[index];
         let of_modes = modes.iter().filter(|mode| is_alike(mode, own)).count();
         let before = others.iter().filter(|other| is_alike(&roots[**other], own));
@@ -150,11 +187,10 @@ fn ascend(mode_of: &mut [Option<usize>], roots: &[StabilityRoot], modes: &[Stabi
     }
 }
 
-/// Gives the name of a mode to a root. A root without one pattern has its frequency in the axes of the blades, and no
-/// pattern in its name.
+/// Gives the name of a mode to a root, which keeps its own pattern, or none.
 fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
     root.name.clone_from(&mode.name);
-    if root.pattern.as_deref() != Some("") {
+    if root.pattern.is_none() {
         root.pattern.clone_from(&mode.pattern);
     }
     root.number = mode.number;
@@ -180,8 +216,48 @@ fn differ(a: &StabilityRoot, b: &StabilityRoot) -> bool {
 
 /// c of a root and a mode without air (D-425).
 fn cost(root: &StabilityRoot, mode: &StabilityRoot) -> f64 {
+    if is_of_part(root) || is_of_part(mode) {
+        return f64::INFINITY;
+    }
     let Some(mac) = root.assurance(mode).filter(|_| !differ(root, mode)) else {
         return f64::INFINITY;
     };
     unlikeness([root, mode].map(size), mac)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Complex;
+
+    use super::*;
+
+    fn root(name: &str, pattern: &str, frequency: f64, blades: usize) -> StabilityRoot {
+        StabilityRoot {
+            name: name.to_owned(),
+            pattern: Some(pattern.to_owned()),
+            in_blades: frequency,
+            blades: Some(blades),
+            ..StabilityRoot::new(Complex::new(-0.1, frequency))
+        }
+    }
+
+    // On a tower the backward whirl of edge 1 has no clear pattern: it has the place of the missing one, and the
+    // backward whirl of edge 2 is no first one. Parts outside the blades have a number each.
+    #[test]
+    fn a_mode_without_a_pattern_has_the_place_of_the_missing_one() {
+        let mut roots = [
+            root("edge", "", 5.0, 3),
+            root("edge", " collective", 5.1, 3),
+            root("edge", " forward", 5.2, 3),
+            root("edge", " backward", 14.0, 3),
+            root("edge", " collective", 14.1, 3),
+            root("edge", "", 14.2, 3),
+            root("tower fore-aft", "", 1.5, 0),
+            root("tower fore-aft", "", 12.0, 0),
+            root("edge", " forward", 25.0, 3),
+        ];
+        number(&mut roots);
+        let found: Vec<_> = roots.iter().map(|own| own.number).collect();
+        assert_eq!(found, [1, 1, 1, 2, 2, 2, 1, 2, 3]);
+    }
 }

@@ -372,6 +372,7 @@ fn averaged_root(mode: &AveragedMode, words: Words) -> StabilityRoot {
         pattern: Some(pattern(named.whirl, words)),
         // An overdamped whirl continues either of two conjugate ones.
         waves: whirl.filter(|_| named.oscillates).map(|own| own.harmonic),
+        blades: Some(named.whirl.map_or(0, |own| own.blades)),
         shape: mode.motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(mode.exponent)
     }

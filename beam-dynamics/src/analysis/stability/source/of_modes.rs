@@ -276,6 +276,7 @@ fn described(
         in_blades: TAU * point.frequency,
         pattern: Some(pattern),
         waves: whirl.filter(|w| w.blades > 0).map(|w| w.harmonic),
+        blades: point.whirl.map(|w| w.blades).filter(|blades| *blades > 0),
         shape: motion.parts().map(<[_]>::to_vec),
         ..StabilityRoot::new(nalgebra::Complex::new(point.growth, frequency))
     }
