@@ -132,7 +132,16 @@ pub(super) fn averaged(
     if let Some(unknown) = sum.mean.equality.different(&coordinates) {
         let equation = own.system.equation(unknown);
         let reason = format!("the blades differ, mostly in the {equation}");
-        return Err([reason, USE_FLOQUET.to_owned()]);
+        let counts = coordinates.rotors.iter().map(|rotor| rotor.count);
+        let unequal = counts.filter(|count| !settings.steps.is_multiple_of(*count));
+        let remedy = match unequal.max() {
+            // The blades pass the same azimuths at different parts of the steps.
+            Some(count) => {
+                format!("let \"steps\" be a multiple of the {count} blades, or {USE_FLOQUET}")
+            }
+            None => USE_FLOQUET.to_owned(),
+        };
+        return Err([reason, remedy]);
     }
     let (tangent, vacuum) = tangents(&sum.mean, sum.vacuum.as_ref());
     Ok(Averaged {
