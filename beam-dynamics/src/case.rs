@@ -65,6 +65,8 @@ pub struct BladeNodes {
     /// Axes (columns) of the undeformed blade in the model's frame, precone and pitch included: along
     /// the span, toward the leading edge, up [-].
     pub axes: Matrix3<f64>,
+    /// The file of its sections and the fingerprint of the file, if it has one.
+    pub file: Option<String>,
 }
 
 /// Arms of a model without blades: parts that only nodes on the axis of rotation connect.

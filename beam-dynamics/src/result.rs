@@ -393,8 +393,7 @@ pub struct FrequencyTable {
     pub branches: Vec<ModeBranch>,
     /// Equilibrium at each speed.
     pub equilibria: Vec<EquilibriumReport>,
-    /// Motions that decay without oscillation at each speed, the slowest first; those whose decay
-    /// is faster than the highest of the modes are not among them.
+    /// Motions that decay without oscillation at each speed, the slowest first, none faster than the modes.
     pub decaying: Vec<Vec<DecayingMotion>>,
     /// Remarks for the user, for example on an unstable equilibrium.
     pub remarks: Vec<String>,
@@ -402,6 +401,8 @@ pub struct FrequencyTable {
     pub style: ModeStyle,
     /// Whether the model has one blade, whose critical speeds belong to the turning axes.
     pub is_single_blade: bool,
+    /// Files of the sections of the blades, each with its fingerprint.
+    pub blade_files: Vec<String>,
 }
 
 impl FrequencyTable {

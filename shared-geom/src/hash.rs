@@ -8,6 +8,10 @@ use sha2::{Digest, Sha256};
 
 /// Size of the pieces in which a file is read [byte].
 const PIECE: usize = 1 << 16;
+/// The text before the digits of a hash.
+const KIND: &str = "sha256:";
+/// Digits of a fingerprint.
+const DIGITS: usize = 16;
 
 /// The SHA-256 of all `parts`, as `sha256:` and 64 hexadecimal digits.
 ///
@@ -45,9 +49,15 @@ pub fn sha256_of_file(path: &Path) -> io::Result<String> {
     }
 }
 
+/// The first digits of a hash, by which tables name the content of a file.
+pub fn fingerprint(hash: &str) -> &str {
+    let digits = hash.strip_prefix(KIND).unwrap_or(hash);
+    digits.get(..DIGITS).unwrap_or(digits)
+}
+
 fn named(digits: &[u8]) -> String {
     let hexadecimal: String = digits.iter().map(|byte| format!("{byte:02x}")).collect();
-    format!("sha256:{hexadecimal}")
+    format!("{KIND}{hexadecimal}")
 }
 
 #[cfg(test)]
@@ -83,6 +93,12 @@ mod tests {
             assert_eq!(sha256_of_file(&path).unwrap(), sha256_of_content(&content));
         }
         assert!(sha256_of_file(&folder.path().join("none")).is_err());
+    }
+
+    #[test]
+    fn a_fingerprint_is_the_first_digits() {
+        assert_eq!(fingerprint(&sha256_of_content(b"abc")), "ba7816bf8f01cfea");
+        assert_eq!(fingerprint("short"), "short");
     }
 
     #[test]

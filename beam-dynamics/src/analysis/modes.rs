@@ -1,5 +1,6 @@
 //! Modes over rotor speed: equilibrium, linearization, eigenvalues, names.
 
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -145,6 +146,7 @@ pub fn modes_watched(model: &Model, settings: &ModesSettings, watch: Watch<'_>) 
         remarks: Vec::new(),
         style: settings.style.clone(),
         is_single_blade: model.blades.len() == 1,
+        blade_files: blade_files(model),
     };
     let failure = run(case, &mut branches, &mut table).err();
     table.branches = branches.into_table(&table.speeds, settings);
@@ -152,6 +154,13 @@ pub fn modes_watched(model: &Model, settings: &ModesSettings, watch: Watch<'_>) 
     table.remarks.extend(unknown);
     table.remarks.extend(left_out(&table, &model.arms));
     ModesOutcome { table, failure }
+}
+
+/// The files of the blades, each once.
+fn blade_files(model: &Model) -> Vec<String> {
+    let all = model.blades.iter().filter_map(|blade| blade.file.clone());
+    let distinct: BTreeSet<String> = all.collect();
+    distinct.into_iter().collect()
 }
 
 /// Equilibria one after the other, each from the last; their modes, which take most of

@@ -151,6 +151,8 @@ struct Card {
     name: String,
     mounts: Vec<BladeMount>,
     layout: BladeLayout,
+    /// The file of its sections, with its fingerprint.
+    file: Option<String>,
     formulation: (Formulation, Inertia),
     root: Root,
     part: Part,
@@ -233,6 +235,7 @@ fn card(
         name,
         mounts: mounts?,
         layout,
+        file: source.file().map(str::to_owned),
         formulation: formulation?,
         root: root?,
         part: part?,
@@ -381,6 +384,7 @@ fn add(card: &Card, mount: &BladeMount, table: &Table<'_>, builder: &mut ModelBu
             azimuth: mount.azimuth,
             nodes,
             axes: mount.blade_axes(),
+            file: card.file.clone(),
         }),
         Part::Tower => builder.add_tower(mount.axes),
         Part::Other => {}

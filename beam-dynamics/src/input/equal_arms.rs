@@ -49,6 +49,7 @@ fn arms(parts: &EqualParts) -> Vec<BladeNodes> {
         azimuth: step * k as f64,
         nodes: nodes.clone(),
         axes: Matrix3::identity(),
+        file: None,
     };
     numbered.map(arm).collect()
 }

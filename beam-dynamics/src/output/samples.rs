@@ -115,6 +115,7 @@ pub(super) fn small() -> FrequencyTable {
         remarks: vec!["made up".to_owned()],
         style: Default::default(),
         is_single_blade: false,
+        blade_files: Vec::new(),
     }
 }
 
@@ -147,6 +148,7 @@ pub(super) fn waves() -> FrequencyTable {
         remarks: Vec::new(),
         style: Default::default(),
         is_single_blade: false,
+        blade_files: Vec::new(),
     }
 }
 
@@ -212,6 +214,7 @@ pub(super) fn swept_tip(count: usize) -> FrequencyTable {
         remarks: Vec::new(),
         style: Default::default(),
         is_single_blade: false,
+        blade_files: Vec::new(),
     }
 }
 
@@ -252,6 +255,7 @@ pub(super) fn crowded() -> FrequencyTable {
         remarks: Vec::new(),
         style: Default::default(),
         is_single_blade: false,
+        blade_files: Vec::new(),
     }
 }
 

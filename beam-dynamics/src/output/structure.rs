@@ -225,6 +225,7 @@ mod tests {
             azimuth: 0.0,
             nodes: vec![5, 6, 7],
             axes: Matrix3::identity(),
+            file: None,
         };
         let beams = [[2, 3, 4], [5, 6, 7], [0, 1, 2]];
         let structure = Structure::new(&nodes, &beams, &[blade]);

@@ -13,7 +13,7 @@ use crate::result::{Direction, FrequencyTable, ModeKind, ModePoint};
 fn heading(columns: Columns, lag: &str) -> String {
     format!(
         "{},mode,name,kind,{},damping ratio [-],growth [1/s],flap [-],{lag} [-],torsion [-],\
-         axial [-],assurance [-],whirl,whirl share [-],{},fixed direction",
+         axial [-],assurance [-],whirl,whirl share [-],{},fixed direction,blade files",
         columns.speed_heading(),
         columns.frequency_heading(),
         columns.heading("fixed frequency")
@@ -24,7 +24,8 @@ fn heading(columns: Columns, lag: &str) -> String {
 /// speed, frequency, damping ratio, growth (the real part of the eigenvalue), shares of the kinetic
 /// energy, assurance relative to the same mode at the previous speed; for a rotor of equal blades
 /// their pattern of motion, its share in the kinetic energy of the blades, and its frequency and
-/// direction in the fixed system. Missing values are empty.
+/// direction in the fixed system; the files of the blades with their fingerprints. Missing values are
+/// empty.
 pub fn mode_csv(table: &FrequencyTable) -> String {
     let words = table.style.words;
     let columns = Columns(table.style.unit);
@@ -42,6 +43,7 @@ pub fn mode_csv(table: &FrequencyTable) -> String {
             let assurance = point.assurance.map(|mac| format!("{mac:.4}"));
             row.push(assurance.unwrap_or_default());
             row.extend(whirl(point, speed / TAU, (words, columns)));
+            row.push(table.blade_files.join("; "));
             rows.push(row);
         }
     }
@@ -81,6 +83,7 @@ mod tests {
     #[test]
     fn a_row_a_speed_and_mode() {
         let mut table = samples::small();
+        table.blade_files = vec!["a.blade.json 0123".to_owned()];
         if let Some(point) = &mut table.branches[0].points[1] {
             point.damping_ratio = 0.02;
             point.growth = -1.5;
@@ -91,12 +94,12 @@ mod tests {
             });
         }
         let expected = "\
-rotor_speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping_ratio [-],growth [1/s],flap [-],lag [-],torsion [-],axial [-],assurance [-],whirl,whirl_share [-],fixed_frequency [Hz],fixed_direction
-0,1,flap 1,flap,1.4,,0,0,0.9900,0.0100,0.0000,0.0000,,,,,
-0,2,lag 1,lag,22.25,,0,0,0.0100,0.9800,0.0100,0.0000,,,,,
-600,1,flap 1,flap,12.5,1.25,0.02,-1.5,0.9900,0.0100,0.0000,0.0000,0.9990,progressive,0.9000,22.5,forward
-600,2,lag 1,lag,23.333,2.3333,0,0,0.0100,0.9800,0.0100,0.0000,0.9980,,,,
-600,3,torsion 1,torsion,99.5,9.95,0,0,0.0000,0.0000,1.0000,0.0000,,,,,
+rotor_speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping_ratio [-],growth [1/s],flap [-],lag [-],torsion [-],axial [-],assurance [-],whirl,whirl_share [-],fixed_frequency [Hz],fixed_direction,blade_files
+0,1,flap 1,flap,1.4,,0,0,0.9900,0.0100,0.0000,0.0000,,,,,,a.blade.json 0123
+0,2,lag 1,lag,22.25,,0,0,0.0100,0.9800,0.0100,0.0000,,,,,,a.blade.json 0123
+600,1,flap 1,flap,12.5,1.25,0.02,-1.5,0.9900,0.0100,0.0000,0.0000,0.9990,progressive,0.9000,22.5,forward,a.blade.json 0123
+600,2,lag 1,lag,23.333,2.3333,0,0,0.0100,0.9800,0.0100,0.0000,0.9980,,,,,a.blade.json 0123
+600,3,torsion 1,torsion,99.5,9.95,0,0,0.0000,0.0000,1.0000,0.0000,,,,,,a.blade.json 0123
 ";
         assert_eq!(mode_csv(&table), expected);
         // A collective mode has its own frequency in the fixed system, and no direction.
@@ -111,7 +114,10 @@ rotor_speed [rpm],mode,name,kind,frequency [Hz],frequency [1/rev],damping_ratio 
         table.style.words = Words::Wind;
         let text = mode_csv(&table);
         assert!(text.contains("\n600,1,flap 1,torsion,12.5,"), "{text}");
-        assert!(text.contains(",collective,1.0000,12.5,\n"), "{text}");
+        assert!(
+            text.contains(",collective,1.0000,12.5,,a.blade.json 0123\n"),
+            "{text}"
+        );
         assert!(text.contains(",edge [-],"), "{text}");
     }
 }

@@ -315,6 +315,7 @@ mod tests {
             remarks: Vec::new(),
             style: Default::default(),
             is_single_blade: false,
+            blade_files: Vec::new(),
         }
     }
 

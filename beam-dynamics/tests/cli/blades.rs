@@ -39,6 +39,11 @@ fn one_command_gives_the_modes_of_a_blade() {
     assert!(run.out.contains("torsion 1"), "{}", run.out);
     let table = folder.read("results/a.frequencies.csv");
     assert!(table.lines().count() > 14, "{table}");
+    let hash = shared_geom::hash::sha256_of_content(folder.read("a.blade.json").as_bytes());
+    let file = format!(",a.blade.json {}", shared_geom::hash::fingerprint(&hash));
+    let modes = folder.read("results/a.modes.csv");
+    let mut rows = modes.lines().skip(1);
+    assert!(rows.all(|row| row.ends_with(&file)), "{file}: {modes}");
     let run = folder.run(&["check", "a.blade.json"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(

@@ -9,6 +9,7 @@ use shared_geom::mesh_file::Model;
 use super::arguments::ConvertArguments;
 use super::{Stop, Terminal, WRONG_INPUT};
 use crate::input::model;
+use crate::mesh::{DoubledNodes, MeshProblem, SectionMesh};
 use crate::output::{ModelNames, model_angles, model_section};
 
 /// A file to write: its path, its text, and a description of its content.
@@ -35,10 +36,21 @@ pub(super) fn convert_model(
     for (file, _, content) in &files {
         writeln!(terminal.out, "{}: {content}", file.display())?;
     }
+    let checked = SectionMesh::checked(&model.mesh, 1.0, DoubledNodes::Allow);
+    let problems: Vec<String> = checked.map_or_else(
+        |problems| problems.iter().map(words_of_mesh).collect(),
+        |_| Vec::new(),
+    );
+    terminal.warn(&arguments.model, &problems)?;
     for note in &model.notes {
         writeln!(terminal.out, "  remark: {note}")?;
     }
     Ok(())
+}
+
+/// A problem of the mesh of a model, which is written with it.
+fn words_of_mesh(problem: &MeshProblem) -> String {
+    format!("the section cannot be analyzed: {problem}")
 }
 
 /// The files of a model: the section file, the mesh, and the tables that it needs.

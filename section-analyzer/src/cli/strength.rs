@@ -245,6 +245,7 @@ fn rows(
     (loads, histories): (&[LoadInstant], &Histories<'_>),
 ) -> Result<(Outcome, Rows), String> {
     let input = input::read(&job.file).map_err(|problems| problems.to_string())?;
+    let fingerprint = station.present_fingerprint().unwrap_or_default();
     let failed = |failure: crate::failure::Failure| {
         let location = SourceLocation::file(job.file.display().to_string());
         Diagnostics::one(location, &failure).to_string()
@@ -260,6 +261,7 @@ fn rows(
     let reserves = region_reserves(section, &input.limits, &points, &forces);
     let row = |found: RegionReserve| ReserveRow {
         station: station.clone(),
+        fingerprint: fingerprint.clone(),
         ply: section.mesh.groups[found.group].clone(),
         material: section.materials[found.material].name.clone(),
         instant: names[found.force].to_owned(),

@@ -11,12 +11,14 @@ use super::column_table::ColumnTable;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DurationProblem {
     /// A duration that is negative.
-    #[error("case \"{case}\": found {seconds} s, expected 0 or more")]
+    #[error("column \"{column}\" of case \"{case}\": found {found}, expected 0 or more")]
     Negative {
+        /// The column, with its unit.
+        column: String,
         /// The case.
         case: String,
-        /// The duration \[s\].
-        seconds: f64,
+        /// The duration as written.
+        found: String,
     },
     /// A case in two rows.
     #[error("case \"{case}\" is there twice, expected once")]
@@ -43,7 +45,10 @@ pub enum DurationProblem {
 impl Explain for DurationProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
-            Self::Negative { .. } | Self::Twice { .. } => return None,
+            Self::Negative { .. } => {
+                "write the time that the case lasts in the whole life".to_owned()
+            }
+            Self::Twice { .. } => return None,
             Self::Unknown { case, known } => {
                 let near = nearest_name(case, known.iter().map(String::as_str))?;
                 format!("did you mean \"{near}\"?")
@@ -73,7 +78,11 @@ pub fn read_durations(path: &Path, cases: &[String]) -> Result<Vec<f64>, Diagnos
         let at = cases.iter().position(|known| known == name);
         let case = name.clone();
         let problem = match at {
-            _ if seconds < 0.0 => DurationProblem::Negative { case, seconds },
+            _ if seconds < 0.0 => DurationProblem::Negative {
+                column: table.heading(duration).to_owned(),
+                case,
+                found: row.cells[duration].clone(),
+            },
             None => DurationProblem::Unknown {
                 case,
                 known: cases.to_vec(),
@@ -86,8 +95,9 @@ pub fn read_durations(path: &Path, cases: &[String]) -> Result<Vec<f64>, Diagnos
         };
         problems.append(table.problem(row.line, &problem));
     }
-    let missing = cases.iter().zip(&found).filter(|pair| pair.1.is_none());
-    let missing: Vec<String> = missing.map(|pair| pair.0.clone()).collect();
+    let has_row = |name: &String| table.rows.iter().any(|row| row.cells[case] == *name);
+    let missing = cases.iter().filter(|name| !has_row(name));
+    let missing: Vec<String> = missing.cloned().collect();
     if !missing.is_empty() {
         let problem = DurationProblem::Missing { cases: missing };
         problems.append(table.problem(1, &problem));

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use shared_geom::document::read_text;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation, nearest_name, quoted};
+use shared_geom::file_kind::FileKind;
 use shared_geom::units::{Dimension, parse_any, parse_as};
 
 /// A problem of a table with named columns.
@@ -76,6 +77,14 @@ pub enum ColumnProblem {
     /// A table without rows.
     #[error("the table has no rows")]
     Empty,
+    /// A file of another kind.
+    #[error("this is {found}, expected a table with named columns")]
+    Kind {
+        /// The kind, with its article.
+        found: &'static str,
+        /// The remedy.
+        remedy: &'static str,
+    },
 }
 
 impl Explain for ColumnProblem {
@@ -102,6 +111,18 @@ impl Explain for ColumnProblem {
             Self::Separator { .. } => {
                 Some("write commas between cells, and decimals with a point".to_owned())
             }
+            Self::NoNumber { column, found } => {
+                let (number, unit) = found.split_once(' ')?;
+                let is_unit = parse_any(&format!("1 {}", unit.trim().replace(' ', "*"))).is_ok();
+                let name = column.split('[').next().unwrap_or_default().trim();
+                (is_unit && number.parse::<f64>().is_ok()).then(|| {
+                    format!(
+                        "write the unit in the heading, as \"{name} [{}]\", and {number} here",
+                        unit.trim()
+                    )
+                })
+            }
+            Self::Kind { remedy, .. } => Some((*remedy).to_owned()),
             _ => None,
         }
     }
@@ -165,10 +186,16 @@ impl ColumnTable {
     /// Reads the table at `path`; `remedy` is for columns that are missing.
     ///
     /// # Errors
-    /// A file that cannot be read or has no rows, two columns of one name and unit, a row that does
+    /// A file that cannot be read, is of another kind or has no rows, two columns of one name and unit, a row that does
     /// not fit.
     pub fn read(path: &Path, remedy: &'static str) -> Result<Self, Diagnostics> {
         let text = read_text(path)?;
+        if let Some(kind) = FileKind::of(path, &text) {
+            let found = kind.words();
+            let location = SourceLocation::file(path.display().to_string());
+            let problem = ColumnProblem::Kind { found, remedy };
+            return Err(Diagnostics::one(location, &problem));
+        }
         let lines = text.trim_start_matches('\u{feff}').lines().zip(1..);
         let is_row = |(line, _): &(&str, usize)| !line.trim().is_empty() && !line.starts_with('#');
         let mut rows = lines.filter(is_row).map(|(line, number)| Row {

@@ -13,11 +13,11 @@ use shared_geom::units::Dimension;
 use super::materials::{self, MATERIALS};
 use crate::mesh::generate::layup::{LayerArea, LayupProblem, LayupSection};
 
+mod angle;
 mod constants;
 mod course;
 mod edge;
 mod faded;
-mod fiber;
 mod fills;
 mod foot;
 mod keys;
@@ -29,6 +29,7 @@ mod prevabs;
 mod problem;
 mod resolve;
 mod shape;
+mod slips;
 mod span;
 mod swapped;
 mod taper;
@@ -48,6 +49,7 @@ pub(super) use keys::LAYUP_FILE;
 use constants::constants;
 use keys::{BLADE_NAME, LINE, MESH, PLACES, SHAPE, SIZE, WEBS};
 use layers::Known;
+use names::wrong_names;
 use resolve::Resolver;
 
 /// A layup along the span, in SI units.
@@ -80,6 +82,8 @@ pub struct Layup {
     pub remarks: Vec<String>,
     file: String,
     shape_line: usize,
+    /// The line of the size of cells, or of the shape without one.
+    size_line: usize,
 }
 
 /// A layer of the shell, or a ply of a web.
@@ -207,7 +211,11 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
     let (layers, webs) = layers_and_webs(&root, &known);
     let fills = edge::fills(&root, &known);
     let places = root.each_by_name(&PLACES, |_, table| Place::of_table(table));
-    let size = root.nested(&MESH, |table| table.get(&SIZE));
+    let mut size_line = None;
+    let size = root.nested(&MESH, |table| {
+        size_line = table.has(&SIZE).then(|| table.line_of(&SIZE));
+        table.get(&SIZE)
+    });
     let line = root.nested(&LINE, line::read);
     let stations = span::stations(&root);
     let name = root.get(&BLADE_NAME);
@@ -238,20 +246,29 @@ pub fn parse(text: &str, path: &Path) -> Result<Layup, Diagnostics> {
                 remarks: Vec::new(),
                 file: path.display().to_string(),
                 shape_line,
+                size_line: size_line.unwrap_or(shape_line),
             })
         }
         _ => None,
     };
-    if let Some(Err((line, problem))) = layup.as_mut().map(Layup::divide_lengths) {
-        document.note(line, &problem);
-    }
-    if let Some(layup) = layup.as_mut().filter(|_| has_names) {
-        layup.remarks = layup.idle_places();
-        for (line, problem) in layup.wrong_ends() {
-            document.note(line, &problem);
-        }
+    if let Some(layup) = &mut layup {
+        check(layup, &document, has_names);
     }
     document.finish(layup)
+}
+
+/// Notes the problems of a layup as a whole, and adds its remarks; places only if the names are right.
+fn check(layup: &mut Layup, document: &Document, has_names: bool) {
+    let mut problems: Vec<problem::Located> = layup.divide_lengths().err().into_iter().collect();
+    problems.extend(layup.coarse());
+    if has_names {
+        layup.remarks = layup.idle_places();
+        layup.remarks.extend(layup.slips());
+        problems.extend(layup.wrong_ends());
+    }
+    for (line, problem) in &problems {
+        document.note(*line, problem);
+    }
 }
 
 /// The layers of the shell, then the layers of the feet of webs, which are inside of them, and the webs.
@@ -276,84 +293,6 @@ fn root(document: &Document) -> Table<'_> {
     document.declare_units(&root);
     let _ = root.require_item(&MATERIALS, &MATERIALS.schema.expected());
     root
-}
-
-/// Names that are given twice, and unknown webs of fills, with their lines.
-fn wrong_names(
-    layers: &[WrittenLayer],
-    webs: &[WrittenWeb],
-    fills: &[WrittenFill],
-) -> Vec<(usize, LayupFileProblem)> {
-    let mut known: Vec<(&str, usize)> = Vec::new();
-    let mut problems = Vec::new();
-    let plies = webs.iter().flat_map(|web| &web.plies);
-    let names = layers
-        .iter()
-        .chain(plies)
-        .map(|layer| (layer.name.as_str(), layer.line));
-    let names = names.chain(webs.iter().map(|web| (web.name.as_str(), web.line)));
-    for (name, line) in names.chain(fills.iter().map(|fill| (fill.name.as_str(), fill.line))) {
-        match known.iter().find(|one| one.0 == name) {
-            Some((_, first)) => {
-                let name = name.to_owned();
-                problems.push((line, LayupFileProblem::NameTwice { name, line: *first }));
-            }
-            None => known.push((name, line)),
-        }
-    }
-    let of_layers = layers.iter().filter_map(|layer| layer.web.as_ref());
-    let of_layers = of_layers.map(|(name, line)| (name.as_str(), *line));
-    problems.extend(wrong_spars(of_layers.clone(), webs));
-    for (name, line) in fills.iter().flat_map(WrittenFill::webs).chain(of_layers) {
-        if webs.iter().all(|web| web.name != name) {
-            let problem = LayupFileProblem::Unknown {
-                kind: "web",
-                found: name.to_owned(),
-                known: webs.iter().map(|web| web.name.clone()).collect(),
-            };
-            problems.push((line, problem));
-        }
-    }
-    problems
-}
-
-/// Webs of layers that have plies of their own, or that stand at positions along the span of the web
-/// of another such layer.
-fn wrong_spars<'a>(
-    mut of_layers: impl Iterator<Item = (&'a str, usize)> + Clone,
-    webs: &[WrittenWeb],
-) -> Vec<(usize, LayupFileProblem)> {
-    let range = |name: &str| {
-        webs.iter()
-            .find(|web| web.name == name)
-            .map(|web| web.range)
-    };
-    let is_beside = |a: &str, b: &str| match (range(a), range(b)) {
-        (Some(a), Some(b)) => a[0] < b[1] && b[0] < a[1],
-        _ => false,
-    };
-    let all = of_layers.clone();
-    let problem = |(name, line): (&'a str, usize)| {
-        let mut before = all.clone().take_while(|other| other.1 != line);
-        let first = before.find(|other| other.0 != name && is_beside(other.0, name));
-        let first = first.map(|first| first.0);
-        let has_plies = || {
-            webs.iter()
-                .any(|web| web.name == name && !web.plies.is_empty())
-        };
-        let problem = match first {
-            Some(first) => LayupFileProblem::TwoSpars {
-                webs: [first, name].map(str::to_owned),
-            },
-            None if has_plies() => LayupFileProblem::PliesOfSpar {
-                web: name.to_owned(),
-            },
-            None => return None,
-        };
-        Some((line, problem))
-    };
-    // one of a kind is enough
-    of_layers.find_map(problem).into_iter().collect()
 }
 
 impl Layup {
@@ -482,6 +421,9 @@ impl Layup {
     }
 
     fn line_of(&self, problem: &LayupProblem) -> usize {
+        if let LayupProblem::Size { .. } | LayupProblem::TooManyCells { .. } = problem {
+            return self.size_line;
+        }
         let name = problem.about().unwrap_or_default();
         let web = || {
             self.webs

@@ -9,12 +9,16 @@ use serde::Serialize;
 use shared_geom::error::Diagnostics;
 
 use super::column_table::{ColumnTable, Row};
+use super::span_loads::FINGERPRINT;
 
 /// The smallest reserve factor of a ply of a section over many loads.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ListedReserve {
     /// The section.
     pub section: String,
+    /// Fingerprint of its files at the time of the table.
+    #[serde(skip)]
+    pub fingerprint: String,
     /// The ply: a physical surface of the section.
     pub ply: String,
     /// The smallest reserve factor [-].
@@ -35,7 +39,7 @@ pub struct ListedReserve {
 }
 
 /// The columns of the table of reserve factors `NAME.strength.csv`.
-pub const RESERVES: [&str; 24] = [
+pub const RESERVES: [&str; 25] = [
     "eta [-]",
     "section",
     "ply",
@@ -60,6 +64,7 @@ pub const RESERVES: [&str; 24] = [
     "stress_13 [Pa]",
     "stress_12 [Pa]",
     "reserve_factor_of_cell [-]",
+    FINGERPRINT,
 ];
 
 /// The modes of a blade, as `beam-dynamics modes` lists them.
@@ -67,7 +72,10 @@ pub const RESERVES: [&str; 24] = [
 pub struct ModeTable {
     /// The name of the file.
     pub file: String,
-    /// The columns, with their units.
+    /// The files of the blades with their fingerprints; `None` if the table does not have them.
+    #[serde(skip)]
+    pub blade_files: Option<String>,
+    /// The columns that are shown, with their units.
     pub columns: Vec<String>,
     /// The rows as written, a cell for each column.
     pub rows: Vec<Vec<String>>,
@@ -101,6 +109,7 @@ pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
     // the stresses in the last columns are for the user
     let needed: [&str; 17] = std::array::from_fn(|i| RESERVES[i]);
     let columns = table.require(needed)?;
+    let [fingerprint] = table.require([FINGERPRINT])?;
     let [
         _,
         section,
@@ -124,6 +133,7 @@ pub fn read_reserves(path: &Path) -> Result<Vec<ListedReserve>, Diagnostics> {
         }
         Ok(ListedReserve {
             section: text(section),
+            fingerprint: text(fingerprint),
             ply: text(ply),
             reserve_factor: number(factor)?,
             failure_index: number(index)?,
@@ -146,13 +156,22 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
     let table = ColumnTable::read(path, REMEDY)?;
     let [speed, name, frequency] =
         table.require(["rotor_speed [rpm]", "name", "frequency [Hz]"])?;
+    let files = table.index("blade_files");
+    let shown = |cells: &[String]| -> Vec<String> {
+        let cells = cells.iter().enumerate();
+        let cells = cells.filter(|(column, _)| Some(*column) != files);
+        cells.map(|(_, cell)| cell.clone()).collect()
+    };
+    // all rows have the same ones
+    let blade_files = files.map(|column| table.rows[0].cells[column].clone());
     let mut modes = ModeTable {
         file: path
             .file_name()
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned(),
-        columns: table.headings(),
+        blade_files: blade_files.filter(|files| !files.is_empty()),
+        columns: shown(&table.headings()),
         rows: Vec::new(),
         names: Vec::new(),
         speeds: Vec::new(),
@@ -167,7 +186,7 @@ pub fn read_modes(path: &Path) -> Result<ModeTable, Diagnostics> {
             Some(table.number_or_infinity(row, frequency)?)
         });
         modes.names.push(row.cells[name].clone());
-        modes.rows.push(row.cells.clone());
+        modes.rows.push(shown(&row.cells));
     }
     Ok(modes)
 }

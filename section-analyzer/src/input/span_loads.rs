@@ -24,7 +24,7 @@ mod stations;
 
 pub use problem::SpanLoadProblem;
 pub use stations::{
-    ListedStation, SECTIONS, blade_name, is_blade, read_stations, section_file_name,
+    FINGERPRINT, ListedStation, SECTIONS, blade_name, is_blade, read_stations, section_file_name,
     section_fingerprint,
 };
 

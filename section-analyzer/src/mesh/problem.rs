@@ -71,15 +71,18 @@ pub enum MeshProblem {
     },
     /// A cell listed in the other direction than its neighbors.
     #[error(
-        "cell {cell} at {} is inverted: its nodes run in the opposite direction to the {others} \
-         other cells of surface entity {entity}", coordinates(*.center)
+        "cell {cell} at {} is inverted: its nodes run in the opposite direction to the {} of its \
+         surface{}",
+        coordinates(*.center),
+        counted(*.others, "other cell"),
+        if *.entity > 0 { format!(", entity {entity}") } else { String::new() }
     )]
     TurnedCell {
         /// Tag of the cell.
         cell: u64,
         /// Mean of its corners [file unit].
         center: [f64; 2],
-        /// Surface entity of gmsh.
+        /// Surface entity of gmsh; 0 in other files.
         entity: i32,
         /// Number of cells of the entity with the usual direction.
         others: usize,
@@ -373,7 +376,8 @@ impl Explain for MeshProblem {
                 "use smaller cells where the boundary is curved, or in gmsh \
                  Mesh.HighOrderOptimize = 1, or straight sides (Mesh.SecondOrderLinear = 1)"
             }
-            Self::InvertedCell { .. } | Self::TurnedCell { .. } | Self::Overlap { .. } => {
+            Self::TurnedCell { .. } => "reverse the order of its nodes, or mesh this part again",
+            Self::InvertedCell { .. } | Self::Overlap { .. } => {
                 "mesh this part again; in a structured mesh, check the order of the points and \
                  the numbers of cells on facing curves"
             }

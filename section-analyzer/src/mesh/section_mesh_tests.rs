@@ -409,7 +409,7 @@ fn a_cell_that_runs_against_its_surface_is_inverted() {
     assert_eq!(
         problems[0].to_string(),
         "cell 3 at (2.5, 0.5) is inverted: its nodes run in the opposite direction to the 2 other \
-         cells of surface entity 5"
+         cells of its surface, entity 5"
     );
 }
 

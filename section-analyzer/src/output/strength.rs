@@ -16,6 +16,8 @@ use crate::recovery::RegionReserve;
 pub struct ReserveRow {
     /// The station.
     pub station: ListedStation,
+    /// Fingerprint of the files of its section.
+    pub fingerprint: String,
     /// The ply: a physical surface of the section.
     pub ply: String,
     /// Its material.
@@ -61,6 +63,7 @@ pub fn strength_csv(rows: &[ReserveRow]) -> String {
         let numbers = numbers.chain(&row.found.stress);
         cells.extend(numbers.map(|value| format!("{value:e}")));
         cells.push(format!("{:e}", row.found.of_cell));
+        cells.push(row.fingerprint.clone());
         cells
     });
     csv(std::iter::once(heading).chain(cells))

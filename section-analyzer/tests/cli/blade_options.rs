@@ -85,6 +85,28 @@ fn differences_from_another_blade_are_listed() {
     assert!(!place.path("b/a.compare.csv").exists());
 }
 
+/// The figure of mass and stiffness has a further curve for each quantity that is compared, and the names of
+/// both blades; the figures without another blade have no names.
+#[test]
+fn another_blade_is_in_the_figures() {
+    let place = workplace(LAYUP);
+    let stations = ["--stations", "0.2,0.7"];
+    assert_eq!(blade(&place, &stations).code, 0);
+    let figure = || place.read("b/a.span.svg");
+    let curves = |text: &str| text.matches("<polyline").count();
+    let alone = figure();
+    assert!(!alone.contains("published"));
+    let other = place.read("b/a.blade.json");
+    let other = other.replacen("\"name\": \"a\"", "\"name\": \"published\"", 1);
+    place.write("other.blade.json", &other);
+    let compared = [&stations[..], &["--compare", "other.blade.json"]].concat();
+    assert_eq!(blade(&place, &compared).code, 0);
+    let both = figure();
+    // five curves, and two lines of the legend of each of the six panels
+    assert_eq!(curves(&both), curves(&alone) + 5 + 6 * 2);
+    assert!(both.contains("published"));
+}
+
 /// A blade without shear stiffness is compared as one that is rigid in shear: mass and EA are the values of the
 /// file, and EI and GJ the values of
 ///

@@ -277,8 +277,8 @@ const MODES: &str =
     "rotor_speed [rpm],mode,name,frequency [Hz]\n0,1,flap 1,1.25\n60,1,\"flap, 1\",\n";
 const RESERVES: &str = "eta [-],section,ply,material,reserve_factor [-],failure_index [-],criterion,mode,\
                         instant,y [m],z [m],axial [N],shear_y [N],shear_z [N],torsion [N m],\
-                        bending_y [N m],bending_z [N m]\n\
-                        0.1,eta_0.1000,cap,foam,inf,0,max_stress,fiber,load,0.1,-0.02,1,2,3,4,5,-6e3\n";
+                        bending_y [N m],bending_z [N m],fingerprint\n\
+                        0.1,eta_0.1000,cap,foam,inf,0,max_stress,fiber,load,0.1,-0.02,1,2,3,4,5,-6e3,0123\n";
 
 /// Quotes, empty frequencies and infinite factors are read; wrong tables are refused with line and
 /// remedy.
@@ -322,6 +322,7 @@ fn tables_of_other_commands_are_read_or_refused() {
         (f64::INFINITY, [0.1, -0.02])
     );
     assert_eq!(reserve.force, [1.0, 2.0, 3.0, 4.0, 5.0, -6e3]);
+    assert_eq!(reserve.fingerprint, "0123");
     workplace.write("a.csv", &RESERVES.replace("inf", "nan"));
     let text = read_reserves(&path).unwrap_err().to_string();
     assert!(
@@ -391,7 +392,35 @@ fn check_shapes(workplace: &Workplace, shown: &Value) {
     );
 }
 
-/// Reserve factors are the ones of `strength`, until a section is solved again; modes the ones of
+/// Modes with the fingerprint of the blade file have no remark, and others have one; the column is not shown.
+fn check_blade_of_modes(workplace: &Workplace, options: &[&str]) {
+    let file = workplace.read("b/a.blade.json");
+    let hash = shared_geom::hash::sha256_of_content(file.as_bytes());
+    let own = shared_geom::hash::fingerprint(&hash);
+    let remark = "a.modes.csv does not name the file of its blade";
+    assert!(data(workplace)["remarks"].to_string().contains(remark));
+    for (fingerprint, is_own) in [(own, true), ("0123456789abcdef", false)] {
+        let table = format!(
+            "rotor_speed [rpm],name,frequency [Hz],blade_files\n\
+             0,flap 1,2.5,a.blade.json {fingerprint}\n100,flap 1,3.5,a.blade.json {fingerprint}\n"
+        );
+        workplace.write("b.modes.csv", &table);
+        let options = options.iter().map(|one| one.replace("a.modes", "b.modes"));
+        let options: Vec<String> = options.collect();
+        let options: Vec<&str> = options.iter().map(String::as_str).collect();
+        assert_eq!(blade(workplace, &options).code, 0);
+        let shown = data(workplace);
+        let columns = ["rotor_speed [rpm]", "name", "frequency [Hz]"];
+        assert_eq!(shown["modes"]["columns"], serde_json::json!(columns));
+        let remarks = shown["remarks"].to_string();
+        assert_eq!(remarks.contains("b.modes.csv"), !is_own, "{remarks}");
+        let other = "has the modes of another blade, or of this one before a change (a.blade.json 0123456789abcdef)";
+        assert_eq!(remarks.contains(other), !is_own, "{remarks}");
+    }
+}
+
+/// Reserve factors are the ones of `strength` as long as the sections have the content that it read,
+/// whenever they were solved; modes the ones of
 /// their file, and a wrong file is refused before a section is solved.
 #[test]
 fn strengths_and_modes_are_shown_if_they_are_given() {
@@ -409,6 +438,7 @@ fn strengths_and_modes_are_shown_if_they_are_given() {
     let shown = data(&workplace);
     assert_eq!(shown["modes"]["frequencies"], serde_json::json!([2.5, 3.5]));
     check_shapes(&workplace, &shown);
+    check_blade_of_modes(&workplace, &with_modes);
     let found = reserves(&shown);
     let strength = workplace.read("b/a.strength.csv");
     assert_eq!(found.len(), strength.lines().count() - 1);
@@ -427,19 +457,22 @@ fn strengths_and_modes_are_shown_if_they_are_given() {
     assert_eq!(force, serde_json::json!([0.0, 0.0, 0.0, 0.0, -2400.0, 0.0]));
     open_in_browser(&workplace.path(REPORT));
 
-    let changed = workplace
-        .read("a.layup.toml")
-        .replace("\"1900 kg", "\"1901 kg");
-    workplace.write("a.layup.toml", &changed);
+    let layup = workplace.read("a.layup.toml");
+    workplace.write("a.layup.toml", &layup.replace("\"1900 kg", "\"1901 kg"));
     assert_eq!(blade(&workplace, &options).code, 0);
     let shown = data(&workplace);
     assert!(reserves(&shown).is_empty() && shown["modes"].is_null());
-    let remark = "a.strength.csv is older than the section eta_0.2000 and is not shown";
+    let remark =
+        "a.strength.csv is not shown, sections have changed since (eta_0.2000, eta_0.7000): run";
     assert!(
         shown["remarks"].to_string().contains(remark),
         "{}",
         shown["remarks"]
     );
+    // solved later than the table was written, with the content as it was then
+    workplace.write("a.layup.toml", &layup);
+    assert_eq!(blade(&workplace, &options).code, 0);
+    assert_eq!(reserves(&data(&workplace)), found);
 
     workplace.write("a.modes.csv", &table.replace("2.5", "two"));
     let run = blade(&workplace, &with_modes);

@@ -301,7 +301,7 @@ fn durations_are_of_all_cases() {
         (
             "case,duration [h]\ngust,1\ncalmm,-1\ngust,2\n",
             &[
-                "life.csv:3: case \"calmm\": found -3600 s",
+                "life.csv:3: column \"duration [h]\" of case \"calmm\": found -1",
                 "life.csv:4: case \"gust\" is there twice",
                 "life.csv:1: the table has no duration of \"calm\"",
             ][..],
@@ -405,7 +405,11 @@ const WRONG_TABLES: &[(&str, &[&str], &str)] = &[
         &[],
         "loads.csv:2: column \"bending y\": found \"nan\"",
     ),
-    ("bending y [N m]\n1\n", &[], "has no column \"arc_length\""),
+    (
+        "bending y [N m]\n1\n",
+        &[],
+        "the table has no positions along the blade, expected a column \"eta\"",
+    ),
     (
         "arc,member,axial\n1,a,2\n1,b,2\n",
         &[],

@@ -6,6 +6,7 @@ mod effort;
 mod absent;
 mod bar;
 mod blades;
+mod boxes;
 mod closed_forms;
 mod command_line;
 mod cut_edges;

@@ -22,7 +22,7 @@ use Input::{Layup as Own, PreVabs, WindIo};
 /// a section that is meshed, if the file is read.
 type Fault = (&'static str, Input, &'static str, &'static str, f64);
 
-const FAULTS: [Fault; 28] = [
+const FAULTS: [Fault; 37] = [
     (
         "unknown material",
         Own,
@@ -173,6 +173,69 @@ const FAULTS: [Fault; 28] = [
         WindIo,
         "thickness: {grid: *ends, values: [0.006, 0.006]}",
         "thickness: {grid: [[0, 1], [0, 1]], values: [[0.006, 0.006], [0.004, 0.004]]}",
+        0.5,
+    ),
+    (
+        "angle of another unit",
+        Own,
+        "taper = \"0.1 m\"",
+        "fiber_angle = 3000",
+        0.5,
+    ),
+    (
+        "twist of another unit",
+        Own,
+        "units = \"SI\"",
+        "units = \"SI\"\nline = { length = 60, twist = { eta = [0, 1], value = [\"10 rad\", 0] } }",
+        0.5,
+    ),
+    (
+        "cells longer than the chord",
+        Own,
+        "units = \"SI\"",
+        "units = \"SI\"\nmesh = { size = 10 }",
+        0.5,
+    ),
+    (
+        "cells that are too short",
+        Own,
+        "units = \"SI\"",
+        "units = \"SI\"\nmesh = { size = 1e-7 }",
+        0.5,
+    ),
+    (
+        "stations not ascending",
+        Own,
+        "units = \"SI\"",
+        "units = \"SI\"\nstations = [0.1, 0.5, 0.3]",
+        0.5,
+    ),
+    (
+        "a web with both places on one side",
+        Own,
+        "pressure = { at = \"cap_pressure.end\", shift = -0.05 }",
+        "pressure = 0.4",
+        0.5,
+    ),
+    (
+        "windIO: chord of another sign",
+        WindIo,
+        "chord: {grid: *ends, values: [2, 2]}",
+        "chord: {grid: *ends, values: [2, -2]}",
+        0.5,
+    ),
+    (
+        "windIO: place of the axis of another unit",
+        WindIo,
+        "section_offset_y: {grid: *ends, values: [1, 1]}",
+        "section_offset_y: {grid: *ends, values: [1000, 1000]}",
+        0.5,
+    ),
+    (
+        "windIO: thickness in percent",
+        WindIo,
+        "      rthick: {grid: *ends, values: [1, 1]}",
+        "      rthick: {grid: *ends, values: [100, 100]}",
         0.5,
     ),
     (

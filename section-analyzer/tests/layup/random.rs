@@ -276,7 +276,7 @@ fn is_named(problem: &LayupProblem) -> bool {
             | LayupProblem::NoLayers
             | LayupProblem::Size { .. }
             | LayupProblem::TooManyCells { .. }
-            | LayupProblem::Unsound { .. }
+            | LayupProblem::Unsound { layer: None, .. }
     );
     of_all || problem.about().is_some_and(|name| !name.is_empty())
 }

@@ -1,5 +1,9 @@
 //! Input that was read without a word and is not meant: errors with the line, the layer and the remedy.
 
+use std::path::Path;
+
+use section_analyzer::input::layup;
+
 use crate::windio::{read, tube};
 
 /// The tube of windIO 2 with a change, which must be in it, and the problems of the result.
@@ -146,12 +150,90 @@ fn layup_files_say_what_they_mean() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("a.layup.toml");
         std::fs::write(&file, TEXT.replacen(from, to, 1)).expect("a file");
-        let layup = section_analyzer::input::layup::read(&file);
+        let layup = layup::read(&file);
         let found = layup.and_then(|layup| layup.section(0.5));
         let found = found.map(|section| format!("{:?}", section.layers));
         let found = found.expect_err(to).to_string();
         for part in expected {
             assert!(found.contains(part), "{to}: {part}:\n{found}");
         }
+    }
+}
+
+/// Values that are possible and unusual: the layup is read, with a remark that has the line and the value.
+#[test]
+fn unusual_values_are_remarks() {
+    let thickness = "thickness = 0.01\n";
+    let cases = [
+        (
+            thickness,
+            "thickness = 0.01\ntaper = \"5 m\"\n",
+            // the arcs 0.3 to 0.4 of the contour of a NACA 0018 with a chord of 2 m, 4.15 m long
+            "line 12: the taper of layer \"cap\" is 5 m long at eta 0, more than the layer is wide, 0.415953 m: it is shortened",
+        ),
+        (
+            thickness,
+            "thickness = 0.01\ntaper = \"1:100\"\n",
+            "line 12: the taper of layer \"cap\" is 1 m long",
+        ),
+        (
+            "chord = 2\n",
+            "chord = 2\norigin = -0.25\n",
+            "line 5: the origin of the section is at -0.25 of the chord at eta 0, ahead of the leading edge",
+        ),
+        (
+            "chord = 2\n",
+            "chord = 2\norigin = 1.5\n",
+            "is at 1.5 of the chord at eta 0, behind the trailing edge",
+        ),
+    ];
+    let remarks = |text: &str| {
+        let layup = layup::parse(text, Path::new("a.layup.toml"));
+        layup.expect(text).remarks
+    };
+    let usual = TEXT.replacen(thickness, "thickness = 0.01\ntaper = \"1:20\"\n", 1);
+    assert!(remarks(&usual).is_empty(), "{:?}", remarks(&usual));
+    for (from, to, expected) in cases {
+        let found = remarks(&TEXT.replacen(from, to, 1));
+        assert!(
+            found.iter().any(|one| one.contains(expected)),
+            "{to}: {found:?}"
+        );
+    }
+}
+
+/// The same of windIO files.
+#[test]
+fn unusual_values_of_windio_are_remarks() {
+    let (_, tube) = tube();
+    for (from, to, expected) in [
+        (
+            "orth: 1",
+            "orth: 0",
+            "material \"glass\": orth is 0, and E is a list: an orthotropic material is taken",
+        ),
+        (
+            "orth: 0\n    rho: 100\n",
+            "orth: 1\n    rho: 100\n",
+            "material \"foam\": orth is 1, and E is a number: an isotropic material is taken",
+        ),
+        (
+            "section_offset_y: {grid: *ends, values: [1, 1]}",
+            "section_offset_y: {grid: *ends, values: [1, -1]}",
+            "line 13: section_offset_y is -1 at 1: the axis is ahead of the leading edge",
+        ),
+        (
+            "twist: {grid: *ends, values: [10, 10]}",
+            "twist: {grid: *ends, values: [100, 10]}",
+            "line 12: twist is 100 deg at 0, more than a right angle",
+        ),
+    ] {
+        assert!(tube.contains(from), "{from}");
+        let layup = read(&tube.replacen(from, to, 1)).expect(to);
+        let found = layup.remarks;
+        assert!(
+            found.iter().any(|one| one.contains(expected)),
+            "{to}: {found:?}"
+        );
     }
 }

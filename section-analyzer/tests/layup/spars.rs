@@ -140,7 +140,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "at = { x = 0.4 }",
         "at = { x = 0.02 }",
-        "error: a.layup.toml:14: layer \"cap\" at eta 0 starts at arc 0.47977444 and ends at",
+        "error: a.layup.toml:14: layer \"cap\" at eta 0 starts at arc 0.47977444 (\"rear.suction\") and ends at",
     ),
 ];
 

@@ -485,7 +485,12 @@ fn airfoils_of_another_thickness_are_named() {
     let (_, text) = tube();
     let thick = "    rthick: 1\n";
     assert!(text.contains(thick));
-    let layup = read(&text.replace(thick, "    rthick: 0.6667\n"));
+    let along = "rthick: {grid: *ends, values: [1, 1]}";
+    let thinner = text.replace(thick, "    rthick: 0.6667\n");
+    let problem = read(&thinner).expect_err("another thickness along the span");
+    let expected = "a.yaml:14: rthick: found 1 at 0, expected about 0.6667, as the airfoil has";
+    assert!(problem.contains(expected), "{problem}");
+    let layup = read(&thinner.replace(along, &along.replace("1, 1", "0.6667, 0.6667")));
     let layup = layup.unwrap_or_else(|problems| panic!("{problems}"));
     let expected = "airfoil \"circle\" has a rthick of 0.6667, and its points are 1.0000 thick";
     remark(&layup, expected);

@@ -45,6 +45,14 @@ impl Source {
         }
     }
 
+    /// The file, with its fingerprint.
+    pub fn file(&self) -> Option<&str> {
+        match self {
+            Self::Pieces(_) => None,
+            Self::Stations(stations) => Some(stations.file()),
+        }
+    }
+
     /// Position on the line at an arc length \[m\].
     pub fn position(&self, arc_length: f64) -> Vector3<f64> {
         match self {

@@ -11,12 +11,15 @@
 //! where stiffness and mass are interpolated. At a jump or a kink each element uses the
 //! values on its own side.
 
+use std::path::Path;
+
 use nalgebra::{Matrix6, Vector3};
 use shared_geom::blade::{self, Blade, BladeDamping, Side};
 use shared_geom::document::Table;
 use shared_geom::document::schema::Family;
 use shared_geom::document::schema::ValueKind::{Boolean, Count, Positive, Text};
 use shared_geom::exchange::{self, Options};
+use shared_geom::hash::{fingerprint, sha256_of_file};
 use shared_geom::keys;
 use shared_geom::line::{Course, Curve};
 use shared_geom::section::Damping;
@@ -77,6 +80,8 @@ const MOST_HALVINGS: f64 = 8.0;
 pub(super) struct StationLine {
     blade: Blade,
     curve: Curve,
+    /// Name of the file, and the fingerprint of its content.
+    file: String,
     /// Number of elements; `None` for element ends at the stations.
     elements: Option<usize>,
 }
@@ -106,9 +111,17 @@ pub(super) fn read(table: &Table<'_>, builder: &mut ModelBuilder) -> Option<Stat
     builder.add_remarks(reading.remarks);
     Some(StationLine {
         curve: reading.blade.line.curve(),
+        file: named(&path),
         blade: reading.blade,
         elements: elements?,
     })
+}
+
+/// The name of a file, with the fingerprint of its content.
+fn named(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let hash = sha256_of_file(path).unwrap_or_default();
+    format!("{name} {}", fingerprint(&hash))
 }
 
 /// Notes a tower or a wing whose file has another line, as of the blade in a file with several bodies.
@@ -166,6 +179,11 @@ fn halved(span: [f64; 2], ratio: f64) -> Vec<f64> {
 }
 
 impl StationLine {
+    /// The file, with its fingerprint.
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
     /// Arc length of the tip \[m\].
     pub fn length(&self) -> f64 {
         self.curve.length()

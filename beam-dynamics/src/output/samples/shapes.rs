@@ -57,6 +57,7 @@ pub fn shaped() -> (Model, FrequencyTable) {
         azimuth: 0.0,
         nodes: (0..5).collect(),
         axes: Matrix3::identity(),
+        file: None,
     }];
     let table = FrequencyTable {
         name: "shaped blade".to_owned(),
@@ -70,6 +71,7 @@ pub fn shaped() -> (Model, FrequencyTable) {
         remarks: Vec::new(),
         style: Default::default(),
         is_single_blade: false,
+        blade_files: Vec::new(),
     };
     (model, table)
 }

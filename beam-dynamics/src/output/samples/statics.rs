@@ -90,6 +90,7 @@ pub fn bent(factors: &[f64]) -> StaticResult {
             azimuth: 0.0,
             nodes: (0..9).collect(),
             axes: Matrix3::identity(),
+            file: None,
         }],
         steps: factors.iter().map(|factor| step(*factor)).collect(),
         remarks: vec!["made up".to_owned()],

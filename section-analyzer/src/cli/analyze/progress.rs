@@ -1,6 +1,9 @@
 //! The progress display of many sections, on the error stream if it is a terminal.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fmt::Write;
+use std::time::Duration;
+
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::Job;
 
@@ -17,7 +20,12 @@ impl Progress {
     pub fn new(count: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::stderr());
         let style =
-            ProgressStyle::with_template("[{elapsed}, {eta} left] {bar:24} {pos}/{len} {wide_msg}");
+            ProgressStyle::with_template("[{elapsed}{left}] {bar:24} {pos}/{len} {wide_msg}");
+        let left = |state: &ProgressState, text: &mut dyn Write| {
+            // a text that cannot be written is not shown
+            let _ = text.write_str(&left(state.pos(), state.eta()));
+        };
+        let style = style.map(|style| style.with_key("left", left));
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         Self {
             bar,
@@ -53,5 +61,24 @@ impl Progress {
     /// Removes the display.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// The time left as the display shows it; unknown until a section is finished.
+fn left(finished: u64, time: Duration) -> String {
+    match finished {
+        0 => String::new(),
+        _ => format!(", {:#} left", HumanDuration(time)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_left_is_shown_from_the_first_finished_section() {
+        assert_eq!(left(0, Duration::ZERO), "");
+        assert_eq!(left(1, Duration::from_secs(60)), ", 60s left");
     }
 }

@@ -1,15 +1,14 @@
 //! The report of a blade: its remarks, and the tables of other commands that it shows.
 
 use std::collections::BTreeMap;
-use std::path::Path;
-use std::time::SystemTime;
 
-use shared_geom::blade::Blade;
+use shared_geom::blade::{self, Blade};
+use shared_geom::hash::{fingerprint, sha256_of_content};
 
 use crate::input::layup::Layup;
 use crate::input::result_tables::{ListedReserve, ModeTable, read_reserves};
 use crate::mesh::short;
-use crate::output::{LayerRow, Remark, ReportPage, SolvedSpan, SpanFiles};
+use crate::output::{LayerRow, Remark, ReportPage, SolvedSpan, SolvedStation, SpanFiles};
 
 /// Part of a layer that is cut or filled from which there is a remark [-].
 const CUT: f64 = 0.01;
@@ -58,6 +57,12 @@ impl Request {
                 Vec::new()
             }
         };
+        let modes = self.modes.iter();
+        remarks.extend(
+            modes
+                .filter_map(|modes| other_modes(span, modes))
+                .map(about_blade),
+        );
         remarks.extend(cut_layers(span));
         remarks.extend(poor_cells(span));
         remarks.extend(warnings(span));
@@ -75,26 +80,48 @@ impl Request {
 /// The reserve factors that `strength` found for these sections; none without its file.
 ///
 /// # Errors
-/// A file that is older than a section, or cannot be read.
+/// A file that cannot be read, or of which a section had other files than now.
 fn reserves(span: &SolvedSpan<'_>, files: &SpanFiles) -> Result<Vec<ListedReserve>, String> {
     let file = files.strength();
-    let time =
-        |file: &Path| -> Option<SystemTime> { std::fs::metadata(file).ok()?.modified().ok() };
-    let Some(written) = time(&file) else {
+    if !file.exists() {
         return Ok(Vec::new());
-    };
-    let shown = file.file_name().unwrap_or_default().to_string_lossy();
-    for station in &span.stations {
-        let name = &station.properties.name;
-        let properties = files.sections().join(format!("{name}.properties.json"));
-        if time(&properties).is_some_and(|solved| solved > written) {
-            return Err(format!(
-                "{shown} is older than the section {name} and is not shown: run \
-                 \"section-analyzer strength\" again"
-            ));
-        }
     }
-    read_reserves(&file).map_err(|problems| format!("{shown} is not shown: {problems}"))
+    let shown = file.file_name().unwrap_or_default().to_string_lossy();
+    let found =
+        read_reserves(&file).map_err(|problems| format!("{shown} is not shown: {problems}"))?;
+    let has_changed = |station: &&SolvedStation| {
+        let mut rows = found.iter();
+        rows.any(|row| {
+            row.section == station.properties.name && row.fingerprint != station.fingerprint
+        })
+    };
+    let changed = span.stations.iter().filter(has_changed);
+    let changed: Vec<&str> = changed.map(|one| one.properties.name.as_str()).collect();
+    if changed.is_empty() {
+        return Ok(found);
+    }
+    Err(format!(
+        "{shown} is not shown, sections have changed since ({}): run \"section-analyzer strength\" again",
+        changed.join(", ")
+    ))
+}
+
+/// The remark on modes that are not known to be of the blade of these sections.
+fn other_modes(span: &SolvedSpan<'_>, modes: &ModeTable) -> Option<String> {
+    let file = &modes.file;
+    let Some(found) = &modes.blade_files else {
+        return Some(format!(
+            "{file} does not name the file of its blade: whether its modes are of this blade is unknown; \
+             the table NAME.modes.csv of a blade from a file does"
+        ));
+    };
+    let own = sha256_of_content(blade::write(&span.blade()).as_bytes());
+    (!found.contains(fingerprint(&own))).then(|| {
+        format!(
+            "{file} has the modes of another blade, or of this one before a change ({found}): run \
+             \"beam-dynamics modes\" again"
+        )
+    })
 }
 
 /// Layers whose cells have another area than the layer.

@@ -68,7 +68,7 @@ pub(super) fn write(
     };
     let earlier = files.earlier().with(old.iter().cloned());
     let (mut written, mut lost) = (Vec::new(), Vec::new());
-    let done = write_tables(span, files, figures, &mut written)
+    let done = write_tables(results, files, figures, &mut written)
         .and_then(|()| write_requested(results, files, &mut written))
         .and_then(|()| {
             if is_written {
@@ -99,11 +99,12 @@ pub(super) fn write(
 }
 
 fn write_tables(
-    span: &SolvedSpan<'_>,
+    results: &Results<'_>,
     files: &SpanFiles,
     figures: bool,
     written: &mut Vec<PathBuf>,
 ) -> Result<(), OutputProblem> {
+    let span = results.span;
     for (file, text) in [
         (files.span(), span_csv(span)),
         (files.layers(), layers_csv(span)),
@@ -112,7 +113,7 @@ fn write_tables(
         written.push(file);
     }
     let is_drawn = figures && !span.stations.is_empty();
-    for (name, plot) in span_plots(span) {
+    for (name, plot) in span_plots(span, results.other.as_ref()) {
         let file = files.figure(name);
         let vector = file.with_extension("svg");
         let drawing = is_drawn.then(|| plot.drawing());

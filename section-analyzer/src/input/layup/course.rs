@@ -25,9 +25,10 @@ use shared_geom::document::schema::{Family, KeySchema, TableSchema};
 use shared_geom::document::{ByHand, Declared, Table, Value};
 use shared_geom::error::Diagnostics;
 use shared_geom::keys;
-use shared_geom::units::Dimension;
+use shared_geom::units::{Dimension, rounded};
 
 use super::super::column_table::ColumnTable;
+use super::angle::{Angle, is_within_a_turn};
 use super::problem::LayupFileProblem;
 
 /// A quantity along the span.
@@ -329,7 +330,10 @@ impl Value for Course {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         let dimension = key.dimension();
         if !table.is_table(key) {
-            return f64::read(table, key).map(Self::constant);
+            return match dimension {
+                Dimension::ANGLE => Angle::read(table, key).map(|angle| Self::constant(angle.0)),
+                _ => f64::read(table, key).map(Self::constant),
+            };
         }
         let inner = table.table(key)?.described(&COURSE);
         let (kind, is_held) = (inner.get(&COURSE_KIND), inner.get(&HOLD));
@@ -358,17 +362,21 @@ impl Value for Course {
             inner.wrong(place, &format!("{expected}, not {found}"));
             return None;
         }
-        let wrong = value.iter().position(|value| !key.has_sign(*value));
-        if let Some(number) = wrong {
-            table.note(
-                key,
-                &LayupFileProblem::Sign {
-                    key: key.name,
-                    found: value[number],
-                    at: eta[number],
+        let is_angle = dimension == Dimension::ANGLE;
+        let is_wrong = |value: &f64| !key.has_sign(*value) || is_angle && !is_within_a_turn(*value);
+        if let Some(number) = value.iter().position(is_wrong) {
+            let (key_name, found, at) = (key.name, value[number], eta[number]);
+            let problem = if is_angle {
+                LayupFileProblem::turned(key_name, found, at)
+            } else {
+                LayupFileProblem::Value {
+                    key: key_name,
+                    found: rounded(found).to_string(),
+                    at,
                     expected: key.expected_number(),
-                },
-            );
+                }
+            };
+            table.note(key, &problem);
             return None;
         }
         let kind = [Kind::Monotone, Kind::Linear, Kind::Constant][kind];
@@ -381,7 +389,7 @@ impl Value for Course {
 }
 
 /// The first position that is outside of the span, or not behind the one before.
-fn disorder(positions: &[f64], in_lengths: bool) -> Option<String> {
+pub(super) fn disorder(positions: &[f64], in_lengths: bool) -> Option<String> {
     let most = if in_lengths { f64::INFINITY } else { 1.0 };
     let outside = positions.iter().find(|at| !(0.0..=most).contains(*at));
     let turned = positions.windows(2).find(|pair| pair[1] <= pair[0]);

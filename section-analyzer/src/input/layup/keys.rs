@@ -11,10 +11,9 @@ use shared_geom::units::Dimension;
 
 use super::super::blade::Name;
 use super::super::materials::MATERIALS;
-use super::super::regions::Angle;
 use super::TOWARDS;
+use super::angle::Angle;
 use super::course::{COURSE, Course};
-use super::fiber::FiberAngle;
 use super::fills::FillBound;
 use super::line::LINE_OF_LAYUP;
 use super::place::{AT_EDGE, BOTH, BothSides, PLACE, Place};
@@ -203,8 +202,8 @@ keys! {
     pub(super) ANGLES: ByHand = "plies", [Quantities(Dimension::ANGLE)], required, "[45, -45]";
     /// Angle of the fiber from x, toward the leading edge on both sides; in webs toward the suction
     /// side.
-    pub(super) FIBER_ANGLE: FiberAngle = "fiber_angle", [Quantity(Dimension::ANGLE), OneTable(&COURSE)],
-        or "0" = FiberAngle(Course::constant(0.0)), "45";
+    pub(super) FIBER_ANGLE: Course = "fiber_angle", [Quantity(Dimension::ANGLE), OneTable(&COURSE)],
+        or "0" = Course::constant(0.0), "45";
     /// Direction toward which the angle of the fiber is positive: the leading edge, on both sides,
     /// or the contour from the trailing edge over the suction side.
     pub(super) TOWARD: usize = "toward", [Word(&TOWARDS)], or "\"leading_edge\"" = 0,

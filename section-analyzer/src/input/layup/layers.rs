@@ -3,6 +3,7 @@
 use shared_geom::document::{Key, Table};
 use shared_geom::units::Dimension;
 
+use super::angle::{WITHIN_A_TURN, is_within_a_turn};
 use super::course::Course;
 use super::fills::WrittenFill;
 use super::keys::{
@@ -126,7 +127,7 @@ impl Known {
             table.note(&TAPER, &LayupFileProblem::RampOfSpar { layer });
         }
         match stack? {
-            Stack::Thickness(thickness) => Some(vec![layer(name, thickness, angle?.0)?]),
+            Stack::Thickness(thickness) => Some(vec![layer(name, thickness, angle?)?]),
             Stack::Plies(ply, angles) => {
                 let plies = angles.iter().zip(1..).map(|(angle, number)| {
                     let angle = Course::constant(*angle);
@@ -148,7 +149,7 @@ impl Known {
         };
         let (named, whole) = ((name?.0, material?), [0.0, 1.0].map(Place::arc));
         Some(WrittenLayer {
-            fiber_angle: angle?.0,
+            fiber_angle: angle?,
             ..WrittenLayer::plain(named, thickness, whole, table.line())
         })
     }
@@ -244,6 +245,14 @@ impl Known {
         };
         if angles.as_ref().is_some_and(Vec::is_empty) {
             table.wrong(&ANGLES, "one angle or more");
+            return None;
+        }
+        if !angles
+            .iter()
+            .flatten()
+            .all(|angle| is_within_a_turn(*angle))
+        {
+            table.wrong(&ANGLES, &format!("for each ply {WITHIN_A_TURN}"));
             return None;
         }
         if angles.is_some() && table.has(&FIBER_ANGLE) {

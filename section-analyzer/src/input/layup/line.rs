@@ -10,6 +10,7 @@ use shared_geom::keys;
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 use shared_geom::units::Dimension;
 
+use super::angle::is_within_a_turn;
 use super::course::{COURSE, Course};
 use super::problem::LayupFileProblem;
 
@@ -75,7 +76,18 @@ const PARTS: usize = 4;
 pub(super) fn read(table: &Table<'_>) -> Option<ReferenceLine> {
     let along = [&SWEEP, &PREBEND, &TWIST];
     if !along.iter().any(|key| table.is_table(key)) {
-        return read_line(table);
+        let line = read_line(table)?;
+        let turned = line
+            .points
+            .iter()
+            .position(|point| !is_within_a_turn(point.twist));
+        let Some(number) = turned else {
+            return Some(line);
+        };
+        let at = line.arc_lengths()[number] / line.length();
+        let problem = LayupFileProblem::turned(TWIST.name(), line.points[number].twist, at);
+        table.note(TWIST.name(), &problem);
+        return None;
     }
     let ends = ends(table);
     let kind = table.get(&KIND);

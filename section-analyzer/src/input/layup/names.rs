@@ -27,7 +27,7 @@ impl Found<'_> {
 
 impl Place {
     /// The name of the place that it refers to.
-    fn name(&self) -> Option<&str> {
+    pub(super) fn name(&self) -> Option<&str> {
         match &self.form {
             PlaceForm::Named(name) => Some(name),
             _ => None,
@@ -181,6 +181,84 @@ impl Layup {
         }
         remarks
     }
+}
+
+/// Names that are given twice, and unknown webs of fills, with their lines.
+pub(super) fn wrong_names(
+    layers: &[WrittenLayer],
+    webs: &[WrittenWeb],
+    fills: &[WrittenFill],
+) -> Vec<(usize, LayupFileProblem)> {
+    let mut known: Vec<(&str, usize)> = Vec::new();
+    let mut problems = Vec::new();
+    let plies = webs.iter().flat_map(|web| &web.plies);
+    let names = layers
+        .iter()
+        .chain(plies)
+        .map(|layer| (layer.name.as_str(), layer.line));
+    let names = names.chain(webs.iter().map(|web| (web.name.as_str(), web.line)));
+    for (name, line) in names.chain(fills.iter().map(|fill| (fill.name.as_str(), fill.line))) {
+        match known.iter().find(|one| one.0 == name) {
+            Some((_, first)) => {
+                let name = name.to_owned();
+                problems.push((line, LayupFileProblem::NameTwice { name, line: *first }));
+            }
+            None => known.push((name, line)),
+        }
+    }
+    let of_layers = layers.iter().filter_map(|layer| layer.web.as_ref());
+    let of_layers = of_layers.map(|(name, line)| (name.as_str(), *line));
+    problems.extend(wrong_spars(of_layers.clone(), webs));
+    for (name, line) in fills.iter().flat_map(WrittenFill::webs).chain(of_layers) {
+        if webs.iter().all(|web| web.name != name) {
+            let problem = LayupFileProblem::Unknown {
+                kind: "web",
+                found: name.to_owned(),
+                known: webs.iter().map(|web| web.name.clone()).collect(),
+            };
+            problems.push((line, problem));
+        }
+    }
+    problems
+}
+
+/// Webs of layers that have plies of their own, or that stand at positions along the span of the web
+/// of another such layer.
+fn wrong_spars<'a>(
+    mut of_layers: impl Iterator<Item = (&'a str, usize)> + Clone,
+    webs: &[WrittenWeb],
+) -> Vec<(usize, LayupFileProblem)> {
+    let range = |name: &str| {
+        webs.iter()
+            .find(|web| web.name == name)
+            .map(|web| web.range)
+    };
+    let is_beside = |a: &str, b: &str| match (range(a), range(b)) {
+        (Some(a), Some(b)) => a[0] < b[1] && b[0] < a[1],
+        _ => false,
+    };
+    let all = of_layers.clone();
+    let problem = |(name, line): (&'a str, usize)| {
+        let mut before = all.clone().take_while(|other| other.1 != line);
+        let first = before.find(|other| other.0 != name && is_beside(other.0, name));
+        let first = first.map(|first| first.0);
+        let has_plies = || {
+            webs.iter()
+                .any(|web| web.name == name && !web.plies.is_empty())
+        };
+        let problem = match first {
+            Some(first) => LayupFileProblem::TwoSpars {
+                webs: [first, name].map(str::to_owned),
+            },
+            None if has_plies() => LayupFileProblem::PliesOfSpar {
+                web: name.to_owned(),
+            },
+            None => return None,
+        };
+        Some((line, problem))
+    };
+    // one of a kind is enough
+    of_layers.find_map(problem).into_iter().collect()
 }
 
 /// The problem of a name: it, or one that it leads to, is unknown or in a circle; `path` are the

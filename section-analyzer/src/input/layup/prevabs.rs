@@ -104,5 +104,6 @@ fn section<'x>(
         remarks: Vec::new(),
         file: path.display().to_string(),
         shape_line: made.line,
+        size_line: made.line,
     })
 }

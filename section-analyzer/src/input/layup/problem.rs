@@ -3,6 +3,7 @@
 use shared_geom::error::{Explain, nearest_name, quoted};
 use shared_geom::units::rounded;
 
+use super::angle::WITHIN_A_TURN;
 use crate::mesh::generate::layup::LayupProblem;
 
 /// A problem of a layup file.
@@ -41,13 +42,13 @@ pub enum LayupFileProblem {
         /// Possible values.
         expected: String,
     },
-    /// A quantity along the span with a wrong sign.
-    #[error("{key} is {} at the position {} along the span, expected {expected}", rounded(*.found), rounded(*.at))]
-    Sign {
+    /// A quantity along the span with a wrong sign, or an angle that is too large.
+    #[error("{key} is {found} at the position {} along the span, expected {expected}", rounded(*.at))]
+    Value {
         /// The key.
         key: &'static str,
-        /// The value, in SI units.
-        found: f64,
+        /// The value, in SI units or deg.
+        found: String,
         /// The position, eta or a length [m].
         at: f64,
         /// Possible values.
@@ -239,15 +240,26 @@ pub enum LayupFileProblem {
     #[error(
         "layer \"{layer}\" at eta {eta} starts at arc {} and ends at {}, expected its start before its \
          end",
-        rounded(.arcs[0]), rounded(.arcs[1])
+        .ends[0], .ends[1]
     )]
     Swapped {
         /// The layer.
         layer: String,
         /// The first position along the span at which it is compared [-].
         eta: f64,
-        /// Its arcs [-].
-        arcs: [f64; 2],
+        /// Its arcs, with the layers or places from which they are.
+        ends: [String; 2],
+    },
+    /// Cells that are longer than any section.
+    #[error(
+        "\"size\" is {} m, expected at most {} m, the largest chord",
+        rounded(*.size), rounded(*.chord)
+    )]
+    Coarse {
+        /// The length of the cells \[m\].
+        size: f64,
+        /// The largest chord \[m\].
+        chord: f64,
     },
     /// A section that cannot be meshed.
     #[error("eta {eta}: {problem}{}", if .problem.has_lengths() { "; lengths in m" } else { "" })]
@@ -260,6 +272,16 @@ pub enum LayupFileProblem {
 }
 
 impl LayupFileProblem {
+    /// The problem of an angle \[rad\] beyond a turn.
+    pub(super) fn turned(key: &'static str, angle: f64, at: f64) -> Self {
+        Self::Value {
+            key,
+            found: format!("{} deg", rounded(angle.to_degrees())),
+            at,
+            expected: WITHIN_A_TURN.to_owned(),
+        }
+    }
+
     /// The problem of a place, with the layer, web or fill that has it.
     pub(super) fn of(mut self, kind: &str, name: &str) -> Self {
         if let Self::OffContour { of, .. } = &mut self {
@@ -369,13 +391,16 @@ impl LayupFileProblem {
                 places.first().map_or("one of them", String::as_str)
             )),
             Self::IdlePlace { remedy, .. } => Some((*remedy).into()),
+            Self::Coarse { .. } => Some(
+                "check its unit; without it 120 cells are around the contour".into(),
+            ),
             Self::Range { .. } => Some(
                 "eta = [0.1, 0.9]; without it, the web or fill has the whole span".into(),
             ),
             Self::Swapped { .. } => Some(
-                "swap them? Arcs grow from the trailing edge over the suction side to the nose, and on \
-                 the pressure side from the nose to the trailing edge; a layer through the trailing edge \
-                 is two layers"
+                "swap them? Or correct the layer to which one refers. Arcs grow from the trailing edge \
+                 over the suction side to the nose, and on the pressure side from the nose to the trailing \
+                 edge; a layer through the trailing edge is two layers"
                     .into(),
             ),
             _ => None,

@@ -116,14 +116,25 @@ impl Shape {
         )?;
         let expected = format!("a part of the chord from {} to {}", ORIGINS[0], ORIGINS[1]);
         check("origin", &self.origin, ORIGINS, &expected)?;
-        if let (Some(thickness), [first, .., last]) = (&self.thickness, &self.airfoils[..]) {
-            let expected = format!("about {} to {}, as the airfoils have", first.at, last.at);
-            check(
-                "thickness",
-                thickness,
-                [first.at / BEYOND, last.at * BEYOND],
-                &expected,
-            )?;
+        match self.airfoils.len() {
+            1 => Ok(self),
+            _ => self.near_airfoils(),
+        }
+    }
+
+    /// The shape, if its thickness is near to the one of an airfoil, also of a single one.
+    ///
+    /// # Errors
+    /// [`LayupFileProblem::Shape`]: a thickness that none of the airfoils is near to.
+    pub(super) fn near_airfoils(self) -> Result<Self, LayupFileProblem> {
+        let ends = self.airfoils.first().zip(self.airfoils.last());
+        if let (Some(thickness), Some((first, last))) = (&self.thickness, ends) {
+            let expected = match first.at == last.at {
+                true => format!("about {}, as the airfoil has", first.at),
+                false => format!("about {} to {}, as the airfoils have", first.at, last.at),
+            };
+            let range = [first.at / BEYOND, last.at * BEYOND];
+            check("thickness", thickness, range, &expected)?;
         }
         Ok(self)
     }

@@ -9,6 +9,7 @@ use shared_geom::document::Table;
 use shared_geom::line::Side;
 use shared_geom::units::Dimension;
 
+use super::course::disorder;
 use super::keys::STATIONS;
 use super::resolve::ABSENT;
 use super::{Layup, WrittenLayer};
@@ -114,9 +115,13 @@ pub(super) fn stations(root: &Table<'_>) -> Option<Vec<f64>> {
         return Some(Vec::new());
     }
     let all = root.quantities(STATIONS.name(), Dimension::NUMBER)?;
-    let is_in_order = all.windows(2).all(|pair| pair[1] > pair[0]);
-    if all.is_empty() || !is_in_order || all.iter().any(|eta| !(0.0..=1.0).contains(eta)) {
-        root.wrong(&STATIONS, "ascending positions from 0 to 1");
+    let expected = "ascending positions from 0 to 1";
+    if all.is_empty() {
+        root.wrong(&STATIONS, expected);
+        return None;
+    }
+    if let Some(found) = disorder(&all, false) {
+        root.wrong(&STATIONS, &format!("{expected}, not {found}"));
         return None;
     }
     Some(all)

@@ -1,5 +1,7 @@
 //! Layers whose ends are swapped.
 
+use shared_geom::units::rounded;
+
 use super::course::Course;
 use super::place::{Place, PlaceForm};
 use super::problem::{LayupFileProblem, Located};
@@ -53,15 +55,28 @@ impl Layup {
             };
             let is_swapped = |(_, [from, to]): &(f64, [f64; 2])| from - to > LEAST;
             if let Some((eta, arcs)) = arcs.first().filter(|_| arcs.iter().all(is_swapped)) {
+                let places = [&layer.from, &layer.to];
                 let problem = LayupFileProblem::Swapped {
                     layer: layer.name.clone(),
                     eta: *eta,
-                    arcs: *arcs,
+                    ends: [0, 1].map(|end| shown(arcs[end], places[end])),
                 };
                 problems.push((layer.line, problem));
             }
         }
         problems
+    }
+}
+
+/// An arc, with the layer or place from which it is.
+fn shown(arc: f64, place: &Place) -> String {
+    let arc = rounded(arc);
+    match place.name().map(|name| (name, name.rsplit_once('.'))) {
+        Some((_, Some((layer, end @ ("start" | "end"))))) => {
+            format!("{arc} (the {end} of \"{layer}\")")
+        }
+        Some((name, _)) => format!("{arc} (\"{name}\")"),
+        None => arc.to_string(),
     }
 }
 

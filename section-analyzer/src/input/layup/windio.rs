@@ -23,8 +23,9 @@ use shared_geom::exchange::windio_fields;
 use shared_geom::exchange::yaml::{self, Node, Value};
 
 use super::course::Course;
+use super::names::wrong_names;
 use super::resolve::Resolver;
-use super::{Layup, Materials, WrittenLayer, wrong_names};
+use super::{Layup, Materials, WrittenLayer};
 
 mod airfoil;
 mod angles;
@@ -146,6 +147,7 @@ fn blade(
             .problems
             .keep(Err(Diagnostics::one(location, &problem)));
     }
+    let shape_line = outer.map_or(1, |outer| outer.line);
     let layup = Layup {
         name: None,
         shape,
@@ -160,7 +162,8 @@ fn blade(
         unit: 1.0,
         remarks: Vec::new(),
         file,
-        shape_line: outer.map_or(1, |outer| outer.line),
+        shape_line,
+        size_line: shape_line,
     };
     let mut layup = seam::with_used_places(layup);
     // A layup file with such a web is refused.

@@ -120,8 +120,9 @@ impl LoadTable {
         let found: Vec<_> = found.collect();
         let &(name, slack) = match found[..] {
             [] => {
-                self.0.require(["arc_length"])?;
-                return self.position(length);
+                let columns = self.0.headings();
+                let problem = SpanLoadProblem::NoPosition { columns };
+                return Err(self.0.problem(1, &problem));
             }
             [only] => only,
             _ => {

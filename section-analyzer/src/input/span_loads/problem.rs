@@ -27,6 +27,14 @@ pub enum SpanLoadProblem {
         /// The beam.
         wanted: String,
     },
+    /// No column of positions.
+    #[error(
+        "the table has no positions along the blade, expected a column \"eta\" or \"arc_length [m]\""
+    )]
+    NoPosition {
+        /// The columns.
+        columns: Vec<String>,
+    },
     /// Several columns of positions.
     #[error("the table has the positions {}, expected one of them", quoted(.columns))]
     Positions {
@@ -107,6 +115,11 @@ impl Explain for SpanLoadProblem {
                     .to_owned()
             }
             Self::NoMemberColumn { .. } => "omit --member".to_owned(),
+            Self::NoPosition { columns } => format!(
+                "it has {}; positions of tables over time are given by --at NAME=ETA, for columns \
+                 NAME_axial, NAME_shear_y and so on",
+                quoted(columns)
+            ),
             Self::Positions { .. } => "remove the others".to_owned(),
             Self::Outside { .. } => {
                 "eta is the part of the length, or in percent with the heading \

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use shared_geom::blade;
 use shared_geom::error::{Diagnostics, Explain, SourceLocation};
-use shared_geom::hash::sha256_of;
+use shared_geom::hash::{fingerprint, sha256_of};
 use shared_geom::units::rounded;
 
 use super::super::column_table::{ColumnTable, Row};
@@ -17,16 +17,11 @@ pub const SECTIONS: &str = "sections";
 /// The ending of section files.
 const SECTION: &str = ".section.toml";
 /// The column of fingerprints.
-const FINGERPRINT: &str = "fingerprint";
-/// Digits of a fingerprint, and the text before them in a hash.
-const DIGITS: usize = 16;
-const BEFORE: &str = "sha256:";
+pub const FINGERPRINT: &str = "fingerprint";
 
 /// The fingerprint of a section: of its file and its mesh.
 pub fn section_fingerprint(section: &[u8], mesh: &[u8]) -> String {
-    let hash = sha256_of(&[section, mesh]);
-    let digits = hash.strip_prefix(BEFORE).unwrap_or(&hash);
-    digits.chars().take(DIGITS).collect()
+    fingerprint(&sha256_of(&[section, mesh])).to_owned()
 }
 
 /// A section of a solved blade.
@@ -50,20 +45,20 @@ impl ListedStation {
         self.folder.join(section_file_name(&self.section))
     }
 
+    /// Fingerprint of the files of the section as they are now; `None` if one is missing.
+    pub fn present_fingerprint(&self) -> Option<String> {
+        let section = std::fs::read(self.file()).ok()?;
+        // the mesh is beside the section file
+        let mesh = self.folder.join(format!("{}.msh", self.section));
+        let mesh = std::fs::read(mesh).ok()?;
+        Some(section_fingerprint(&section, &mesh))
+    }
+
     /// Whether the files of the section are others than at the time of the table. Missing files are
     /// none.
     pub fn has_changed(&self) -> bool {
-        // the mesh is beside the section file
-        let mesh = self.folder.join(format!("{}.msh", self.section));
-        let found = std::fs::read(self.file())
-            .ok()
-            .zip(std::fs::read(mesh).ok());
-        let found = found.map(|(section, mesh)| section_fingerprint(&section, &mesh));
-        found.is_some_and(|found| {
-            self.fingerprint
-                .as_ref()
-                .is_some_and(|known| *known != found)
-        })
+        let both = self.present_fingerprint().zip(self.fingerprint.as_ref());
+        both.is_some_and(|(found, known)| found != *known)
     }
 
     /// The position for reports, with its side of a jump.

@@ -12,9 +12,9 @@
 //! complete there, inner ones are cut. Nodes of the inner faces are the nodes of webs, and of the
 //! triangles of fills.
 
-use shared_geom::mesh::{CellKind, Mesh};
+use shared_geom::mesh::{Cell, CellKind, GroupSet, Mesh, PhysicalGroup};
 
-use super::super::{DoubledNodes, SectionMesh};
+use super::super::{DoubledNodes, SectionMesh, distance};
 
 pub(super) mod area;
 mod bend;
@@ -112,12 +112,15 @@ impl LayupSection {
                 },
                 Err(problem) => {
                     let positions = problem.position().into_iter().collect();
-                    Failed { problem, positions }
+                    Failed {
+                        problem: Box::new(problem),
+                        positions,
+                    }
                 }
             };
             let is_of_cells = failed.problem.is_of_cells();
             let is_left = is_of_cells && failures::add(&mut remedies, &wall, &failed.positions);
-            let problem = first.get_or_insert_with(|| with_space(failed.problem, wall.tight));
+            let problem = first.get_or_insert_with(|| with_space(*failed.problem, wall.tight));
             if !is_of_cells {
                 return Err(problem.clone());
             }
@@ -131,7 +134,7 @@ impl LayupSection {
 
 /// A mesh that failed, and the positions of its wrong cells.
 struct Failed {
-    problem: LayupProblem,
+    problem: Box<LayupProblem>,
     positions: Vec<[f64; 2]>,
 }
 
@@ -148,18 +151,17 @@ fn with_space(cells: LayupProblem, space: Option<LayupProblem>) -> LayupProblem 
 
 /// Checks cells and mesh as any input is checked.
 fn sound(mesh: &Mesh) -> Result<(), Failed> {
-    let label = |groups: &shared_geom::mesh::GroupSet| {
-        let first = groups.first().and_then(|first| mesh.groups.get(first));
-        first.map_or_else(String::new, shared_geom::mesh::PhysicalGroup::label)
-    };
     if let Some(folded) = super::grid::folded(mesh) {
         let problem = LayupProblem::Folded {
-            layer: label(&folded.groups),
+            layer: label(mesh, &folded.groups),
             count: folded.centers.len(),
             position: folded.position,
         };
         let positions = folded.centers;
-        return Err(Failed { problem, positions });
+        return Err(Failed {
+            problem: Box::new(problem),
+            positions,
+        });
     }
     SectionMesh::checked(mesh, 1.0, DoubledNodes::Error)
         .map(|_| ())
@@ -167,11 +169,34 @@ fn sound(mesh: &Mesh) -> Result<(), Failed> {
             let texts: Vec<String> = problems.iter().map(ToString::to_string).collect();
             let text = texts.join("; ");
             let positions = problems.iter().flat_map(|one| one.positions(mesh));
+            let positions: Vec<[f64; 2]> = positions.collect();
+            let layer = positions.first().map(|at| layer_at(mesh, *at));
             Failed {
-                positions: positions.collect(),
-                problem: LayupProblem::Unsound { text },
+                positions,
+                problem: Box::new(LayupProblem::Unsound { layer, text }),
             }
         })
+}
+
+/// The label of the layer of cells.
+fn label(mesh: &Mesh, groups: &GroupSet) -> String {
+    let first = groups.first().and_then(|first| mesh.groups.get(first));
+    first.map_or_else(String::new, PhysicalGroup::label)
+}
+
+/// The label of the layer whose cell is nearest to a position.
+fn layer_at(mesh: &Mesh, position: [f64; 2]) -> String {
+    let off = |cell: &&Cell| {
+        let corners = cell.corners();
+        let nodes = corners
+            .iter()
+            .map(|node| mesh.nodes[*node as usize].position);
+        let sum = nodes.fold([0.0; 2], |sum, at| [sum[0] + at.x, sum[1] + at.y]);
+        let count = corners.len() as f64;
+        distance(sum.map(|sum| sum / count), position)
+    };
+    let nearest = mesh.cells.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+    nearest.map_or_else(String::new, |cell| label(mesh, &cell.groups))
 }
 
 /// Kind of the quadrilaterals.

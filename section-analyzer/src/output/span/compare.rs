@@ -16,7 +16,7 @@ use crate::output::text::{csv, table};
 use crate::properties::{PrincipalAxes, invert_symmetric};
 
 /// The quantities: columns, and words for reports.
-const QUANTITIES: [(&str, &str); 5] = [
+pub(super) const QUANTITIES: [(&str, &str); 5] = [
     ("mass [kg/m]", "mass"),
     ("ea [N]", "EA"),
     ("ei_flap [N m^2]", "EI flap"),

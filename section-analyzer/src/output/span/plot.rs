@@ -1,11 +1,13 @@
 //! Figures of the properties along the span.
 
+use shared_geom::blade::Blade;
 use shared_geom::figure::{Panel, PanelPlot};
 
+use super::compare::{QUANTITIES, values_beside};
 use super::table::SpanRow;
 use super::{SolvedSpan, SolvedStation};
 
-/// A quantity of a station: name, unit and value.
+/// A quantity of a station: name, unit and value. The first ones are the [`QUANTITIES`] of comparisons.
 type Quantity = (
     &'static str,
     &'static str,
@@ -30,8 +32,9 @@ const SHEAR: [Quantity; 2] = [
 ];
 
 /// The figures with their names: `span` has mass, stiffness and the twist of the principal axes of
-/// bending, `shear` the shear stiffness, `centers` the three centers in section axes.
-pub fn span_plots(span: &SolvedSpan<'_>) -> Vec<(&'static str, PanelPlot)> {
+/// bending, `shear` the shear stiffness, `centers` the three centers in section axes. Mass and stiffness
+/// of `other` are beside the ones of the blade, as its table of comparison has both.
+pub fn span_plots(span: &SolvedSpan<'_>, other: Option<&Blade>) -> Vec<(&'static str, PanelPlot)> {
     let rows: Vec<SpanRow> = span
         .stations
         .iter()
@@ -44,6 +47,14 @@ pub fn span_plots(span: &SolvedSpan<'_>) -> Vec<(&'static str, PanelPlot)> {
             .collect()
     };
     let panel = |(name, unit, value): &Quantity| Panel::scaled((name, unit), vec![curve(value)]);
+    let beside = |(number, quantity): (usize, &Quantity)| match other {
+        Some(other) if number < QUANTITIES.len() => {
+            let curves = both(span, &rows, other, number);
+            Panel::scaled((quantity.0, quantity.1), curves.to_vec())
+        }
+        _ => panel(quantity),
+    };
+    let names = other.map_or_else(Vec::new, |other| vec![span.name, &other.name]);
     let plot = |title: &str, names: &[&str], panels: Vec<Panel>| PanelPlot {
         title: format!("{}: {title}", span.name),
         across: "arc length from the root [m]".to_owned(),
@@ -65,8 +76,8 @@ pub fn span_plots(span: &SolvedSpan<'_>) -> Vec<(&'static str, PanelPlot)> {
             "span",
             plot(
                 "mass and stiffness along the span",
-                &[],
-                STIFFNESS.iter().map(panel).collect(),
+                &names,
+                STIFFNESS.iter().enumerate().map(beside).collect(),
             ),
         ),
         (
@@ -82,4 +93,20 @@ pub fn span_plots(span: &SolvedSpan<'_>) -> Vec<(&'static str, PanelPlot)> {
             ),
         ),
     ]
+}
+
+/// The curves of a quantity of the blade and of another one, a point for each station.
+fn both(
+    span: &SolvedSpan<'_>,
+    rows: &[SpanRow],
+    other: &Blade,
+    number: usize,
+) -> [Vec<[f64; 2]>; 2] {
+    let stations = span.stations.iter().zip(rows);
+    let points = stations.map(|(station, row)| {
+        let values = values_beside(station, other).map(|values| values[number]);
+        values.map(|value| [row.arc_length, value])
+    });
+    let points: Vec<[[f64; 2]; 2]> = points.collect();
+    [0, 1].map(|which| points.iter().map(|pair| pair[which]).collect())
 }

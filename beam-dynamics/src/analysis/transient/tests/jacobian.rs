@@ -97,6 +97,7 @@ fn derivatives_are_exact_in_turning_axes() {
         azimuth: 0.0,
         nodes,
         axes: Matrix3::identity(),
+        file: None,
     });
     let error = error(&model);
     assert!(error < 2e-8, "{error:e}");

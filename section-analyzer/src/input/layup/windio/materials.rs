@@ -106,6 +106,7 @@ fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Op
     let of = format!("material \"{name}\"");
     let density = required(node, &of, "rho", notes).and_then(|at| values::<1>(at, &of, notes));
     let is_orthotropic = matches!(node.entry("E").map(|e| &e.value), Some(Value::List(_)));
+    remark_on_kind(node, &of, is_orthotropic, notes);
     let mut text = format!("\n[material.{name:?}]\n");
     let law = if is_orthotropic {
         orthotropic(node, &of, treatment, notes)
@@ -119,6 +120,26 @@ fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Op
     text += &strength;
     text += &fatigue(node, (&of, is_orthotropic), !strength.is_empty(), notes);
     Some(text)
+}
+
+/// A remark if `orth` and the form of the constants disagree.
+fn remark_on_kind(node: &Node, of: &str, is_orthotropic: bool, notes: &mut Notes) {
+    let Some(at) = node.entry("orth") else {
+        return;
+    };
+    let Some(named) = at.text().and_then(number) else {
+        return;
+    };
+    if (named != 0.0) != is_orthotropic {
+        let (form, kind) = match is_orthotropic {
+            true => ("a list", "an orthotropic"),
+            false => ("a number", "an isotropic"),
+        };
+        notes.remarks.push(format!(
+            "line {}: {of}: orth is {named}, and E is {form}: {kind} material is taken",
+            at.line
+        ));
+    }
 }
 
 fn isotropic(node: &Node, of: &str, treatment: Materials, notes: &mut Notes) -> Option<String> {

@@ -2,6 +2,7 @@
 
 use shared_geom::exchange::windio_fields::numbers;
 use shared_geom::exchange::yaml::Node;
+use shared_geom::units::rounded;
 
 use super::super::LayupFileProblem;
 use super::super::course::Course;
@@ -47,6 +48,9 @@ pub(super) fn read(
         Version::Two => "section_offset_y",
     };
     let origin = required(outer, what, key, notes).and_then(|at| course(at, key, notes));
+    if let Some(origin) = &origin {
+        remark_on_origin(outer, (key, origin), notes);
+    }
     let labels = match version {
         Version::One => labels_1(outer, notes),
         Version::Two => labels_2(outer, outer.entry("rthick").is_some(), notes),
@@ -69,21 +73,54 @@ pub(super) fn read(
     let offset = offset?.unwrap_or_else(|| Course::constant(0.0));
     let points = by_thickness(airfoils, notes);
     let made = Shape::new([chord, origin, offset], Some(thickness), points);
-    let note = |problem: LayupFileProblem| {
+    let note = |problem: LayupFileProblem| note_shape(outer, key, &problem, notes);
+    made.and_then(Shape::checked)
+        .and_then(Shape::near_airfoils)
+        .map_err(note)
+        .ok()
+}
+
+/// Notes a problem of the shape by the key of the file; `axis` is the key of the place of the axis.
+fn note_shape(outer: &Node, axis: &str, problem: &LayupFileProblem, notes: &mut Notes) {
+    let LayupFileProblem::Shape {
+        key,
+        found,
+        at,
+        expected,
+    } = problem
+    else {
+        let help = "correct the points of the airfoils";
         let found = problem.to_string();
-        let own = match &problem {
-            LayupFileProblem::Shape { .. } => {
-                let help = "lengths are in m, and thicknesses numbers as 0.3, not percent";
-                ["the outer shape", &found, "the shape of a blade", help]
-            }
-            _ => {
-                let help = "correct the points of the airfoils";
-                ["airfoils", &found, "closed contours", help]
-            }
-        };
-        notes.wrong(outer.line, own);
+        return notes.wrong(outer.line, ["airfoils", &found, "closed contours", help]);
     };
-    made.and_then(Shape::checked).map_err(note).ok()
+    let number = "write a thickness over the chord, as 0.3, not percent";
+    let (key, help) = match *key {
+        "origin" if axis == "pitch_axis" => (axis, "write the part of the chord ahead of the axis"),
+        "origin" => (
+            axis,
+            "write the length from the leading edge to the axis in m",
+        ),
+        "thickness" => ("rthick", number),
+        other => (other, "write lengths in m"),
+    };
+    let of_chord = if key == "section_offset_y" {
+        " of the chord"
+    } else {
+        ""
+    };
+    let line = outer.entry(key).map_or(outer.line, |node| node.line);
+    let found = format!("{}{of_chord} at {}", rounded(*found), rounded(*at));
+    notes.wrong(line, [key, &found, expected, help]);
+}
+
+/// A remark on a place of the axis ahead of the leading edge.
+fn remark_on_origin(outer: &Node, (key, origin): (&str, &Course), notes: &mut Notes) {
+    let line = outer.entry(key).map_or(outer.line, |node| node.line);
+    if let Some((eta, value)) = origin.points().find(|(_, value)| *value < 0.0) {
+        notes.remarks.push(format!(
+            "line {line}: {key} is {value} at {eta}: the axis is ahead of the leading edge"
+        ));
+    }
 }
 
 /// Positions and names of version 1.
@@ -212,6 +249,14 @@ fn airfoil(item: &Node, name: &str, notes: &mut Notes) -> Option<Placed> {
         }
     };
     let thickness = thickness?;
+    if !(thickness > 0.0 && thickness <= 1.0 + SAME) {
+        let line = item.entry(key).map_or(item.line, |node| node.line);
+        let what = format!("{key} of {of}");
+        let expected = "a part of the chord, more than 0 and at most 1";
+        let help = "write a number as 0.3, not percent";
+        notes.wrong(line, [&what, &thickness.to_string(), expected, help]);
+        return None;
+    }
     let found = thickness_of(&points);
     if (found / thickness - 1.0).abs() > OTHER_THICKNESS {
         let remark = format!(

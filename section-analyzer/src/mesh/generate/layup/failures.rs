@@ -10,6 +10,10 @@ const AROUND: f64 = 4.0;
 /// Adds remedies for a wall whose cells fail at these positions; all its contacts without
 /// positions. Returns whether anything is left to try.
 pub(super) fn add(remedies: &mut Remedies, wall: &Wall, positions: &[[f64; 2]]) -> bool {
+    if wall.has_short && !remedies.has_short {
+        remedies.with_short();
+        return true;
+    }
     let mut contacts: Vec<usize> = Vec::new();
     let mut is_new = false;
     let samples = wall.samples();

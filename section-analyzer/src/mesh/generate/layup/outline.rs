@@ -28,6 +28,8 @@ const STEPS: usize = 3000;
 const ROUND_BEHIND: f64 = 2.36;
 /// Part of the contour within which the nose is at a corner.
 const AT_CORNER: f64 = 1e-5;
+/// Part of the contour by which equal distances differ.
+const SAME: f64 = 1e-9;
 /// Part of the contour around an estimate in which the nearest point is searched.
 const AROUND: f64 = 0.01;
 /// Samples of a search along the contour.
@@ -177,14 +179,29 @@ impl Outline {
     }
 
     /// The arc length at which a measure of points is largest, by golden section around the best
-    /// of samples.
+    /// of samples; of several equal places, as at a flat nose, the middle between the first and the last.
     fn farthest(&self, measure: impl Fn([f64; 2]) -> f64) -> f64 {
         let far = |s: f64| measure(self.position(s));
         let at = |i: usize| self.perimeter * i as f64 / SAMPLES as f64;
-        let sizes: Vec<f64> = (1..SAMPLES).map(|i| far(at(i))).collect();
-        let best = (1..SAMPLES).max_by(|a, b| sizes[a - 1].total_cmp(&sizes[b - 1]));
+        let sizes: Vec<f64> = (0..=SAMPLES).map(|i| far(at(i))).collect();
+        let best = (1..SAMPLES).max_by(|a, b| sizes[*a].total_cmp(&sizes[*b]));
         let best = best.unwrap_or(SAMPLES / 2);
-        self.between([at(best - 1), at(best + 1)], far)
+        let refined = |i: usize| self.between([at(i - 1), at(i + 1)], far);
+        let place = refined(best);
+        let most = far(place);
+        let may_be = |i: &usize| {
+            let is_peak = sizes[*i] >= sizes[i - 1] && sizes[*i] >= sizes[i + 1];
+            is_peak && sizes[*i] > sizes[best] - at(1)
+        };
+        let is_equal = |s: &f64| far(*s) >= most - SAME * self.perimeter;
+        let equal = || (1..SAMPLES).filter(may_be).map(refined);
+        let first = equal().find(is_equal).unwrap_or(place);
+        let last = equal().rev().find(is_equal).unwrap_or(place);
+        if last - first > AT_CORNER * self.perimeter {
+            0.5 * (first + last)
+        } else {
+            place
+        }
     }
 
     /// The arc length of the point that is nearest to another one, near an estimate.
@@ -295,7 +312,8 @@ impl Outline {
         self.is_smooth
     }
 
-    /// Arc length at the nose: the point farthest from the middle of the trailing edge.
+    /// Arc length at the nose: the point farthest from the middle of the trailing edge, or the middle between
+    /// such points.
     pub fn nose(&self) -> f64 {
         self.nose
     }

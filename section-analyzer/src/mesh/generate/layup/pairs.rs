@@ -35,7 +35,7 @@ const FULL: f64 = 0.98;
 const TABLE: usize = 300;
 /// Contacts nearer to each other than this part of a cell are one.
 pub(super) const JOINED: f64 = 0.5;
-/// Contacts shorter than this part of a cell are dropped.
+/// Contacts shorter than this part of a cell are left out, unless cells fail without them.
 const SHORT: f64 = 0.05;
 
 /// Pairs of points of a contour whose sides end at `edges`.
@@ -239,14 +239,15 @@ impl Pairs {
     }
 
     /// Where the layers meet: intervals of x, foremost first, in which `can_meet` is true of the
-    /// pairs. Sides that end without a wall meet at x = 1 in any case if `closed`.
+    /// pairs. Sides that end without a wall meet at x = 1 in any case if `closed`. Second, the intervals
+    /// that are too short for the cells.
     pub fn contacts(
         &self,
         stack: &Stack,
         size: f64,
         closed: bool,
         can_meet: &dyn Fn(&Pair) -> bool,
-    ) -> Vec<[f64; 2]> {
+    ) -> [Vec<[f64; 2]>; 2] {
         let meets = |x: f64| {
             let pair = self.pair(x);
             pair.gap(stack) < 0.0 && can_meet(&pair)
@@ -289,8 +290,9 @@ impl Pairs {
         }
         let is_fan = |one: &[f64; 2]| one[0] == 0.0;
         let is_long = |one: &[f64; 2]| (one[1] - one[0]) * length > SHORT * size;
-        joined.retain(|one| one[1] >= 1.0 || is_fan(one) || is_long(one));
-        joined
+        let is_usual = |one: &[f64; 2]| one[1] >= 1.0 || is_fan(one) || is_long(one);
+        let (usual, short) = joined.into_iter().partition(is_usual);
+        [usual, short]
     }
 
     /// Places within a contact at which the share of a side or a layer ends.

@@ -52,7 +52,7 @@ pub enum LayupProblem {
         thickness: f64,
     },
     /// A size of cells that is no length.
-    #[error("the size of cells is {}, expected more than {}", short(*.size), short(*.least))]
+    #[error("the size of cells is {}, expected more than {}, a ten-thousandth of the contour", short(*.size), short(*.least))]
     Size {
         /// The size [unit of the mesh].
         size: f64,
@@ -155,7 +155,7 @@ pub enum LayupProblem {
         arc: f64,
     },
     /// A web where the plies of both sides meet.
-    #[error("{web} stands at arc {} of the {side} side, where the layers of both sides meet (from arc {} to {})", short(*.arc), short(.contact[0]), short(.contact[1]))]
+    #[error("{web} stands at arc {} of the {side} side, where the layers of both sides meet (from arc {} to {}); the thickest one there is \"{}\" with {}", short(*.arc), short(.contact[0]), short(.contact[1]), .thickest.0, short(.thickest.1))]
     WebInContact {
         /// The web, or the bound of a fill.
         web: Upright,
@@ -165,6 +165,20 @@ pub enum LayupProblem {
         arc: f64,
         /// Arcs between which the layers meet [-].
         contact: [f64; 2],
+        /// The thickest layer at its foot, and its thickness [unit of the mesh].
+        thickest: (String, f64),
+    },
+    /// A web whose feet are on one side.
+    #[error("the place of {web} on the {side} side is arc {}, which is on the other side: the nose is at arc {}", short(*.arc), short(*.nose))]
+    OneSide {
+        /// The web, or the bound of a fill.
+        web: Upright,
+        /// The side of its place.
+        side: &'static str,
+        /// The arc of the place [-].
+        arc: f64,
+        /// The arc of the nose [-].
+        nose: f64,
     },
     /// Two webs whose feet overlap.
     #[error("the feet of {} and {} overlap on the {side} side by {}", .webs[0], .webs[1], short(*.overlap))]
@@ -261,8 +275,10 @@ pub enum LayupProblem {
         most: usize,
     },
     /// A mesh that the checks of meshes refuse.
-    #[error("the layers cannot be meshed soundly: {text}")]
+    #[error("{} cannot be meshed soundly: {text}", .layer.as_ref().map_or("the layers".into(), |layer| format!("layer \"{layer}\"")))]
     Unsound {
+        /// The layer at the first problem, if that has a position.
+        layer: Option<String>,
         /// The problems of the mesh, which name the layers.
         text: String,
     },
@@ -281,6 +297,7 @@ impl LayupProblem {
             | Self::Area { layer, .. }
             | Self::BehindSpar { layer, .. }
             | Self::AtSpar { layer, .. } => Some(layer),
+            Self::Unsound { layer, .. } => layer.as_deref(),
             Self::Crowded { space, .. } => space.about(),
             Self::SparPlies { web, .. }
             | Self::NoRoomAtEdge { web, .. }
@@ -288,6 +305,7 @@ impl LayupProblem {
             Self::TwoAtEdge { webs } => Some(&webs[1]),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
+            | Self::OneSide { web, .. }
             | Self::WebInContact { web, .. } => Some(web.name()),
             Self::WebsOverlap { webs, .. } | Self::WebsCross { webs } => Some(webs[0].name()),
             Self::NoSpace { fill }
@@ -307,6 +325,7 @@ impl LayupProblem {
                 | Self::Tight { .. }
                 | Self::Meeting { .. }
                 | Self::Crowded { .. }
+                | Self::WebInContact { .. }
                 | Self::WebsOverlap { .. }
                 | Self::SparPlies { .. }
                 | Self::SpaceShape { .. }
@@ -350,7 +369,17 @@ impl Explain for LayupProblem {
             Self::Tight { .. } | Self::Meeting { .. } | Self::Crowded { .. } => {
                 "thinner layers there, or layers that end before it"
             }
-            Self::WebOutside { .. } | Self::WebInContact { .. } => "move the web, or leave it out",
+            Self::Size { .. } => {
+                "check the unit of \"size\"; without it 120 cells are around the contour"
+            }
+            Self::WebOutside { .. } => "move the web, or leave it out",
+            Self::WebInContact { .. } => {
+                "move the web out of these arcs, or use thinner layers there"
+            }
+            Self::OneSide { .. } => {
+                "a web stands between both sides: arcs of the suction side are below the one of the nose, \
+                 arcs of the pressure side above it"
+            }
             Self::WebsOverlap { .. } | Self::WebsCross { .. } => {
                 "move one of them, or leave it out"
             }

@@ -19,6 +19,8 @@ pub(in super::super) struct Remedies {
     contacts: Vec<(usize, usize)>,
     /// Intervals of the arc length with shorter cells.
     pub fine: Vec<[f64; 2]>,
+    /// Whether contacts that are too short for the cells are contacts.
+    pub has_short: bool,
 }
 
 impl Remedies {
@@ -27,6 +29,12 @@ impl Remedies {
         let mut known = self.contacts.iter();
         let step = known.find(|one| one.0 == contact).map_or(0, |one| one.1);
         TRIED[step]
+    }
+
+    /// Contacts that are too short for the cells, in the place of remedies at others, whose numbers change.
+    pub fn with_short(&mut self) {
+        self.has_short = true;
+        self.contacts.clear();
     }
 
     /// The next remedy at a contact; whether there is one.

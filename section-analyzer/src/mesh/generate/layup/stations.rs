@@ -18,6 +18,8 @@ use super::webs::Standing;
 const TURN: f64 = 0.14;
 /// Gap before a contact from which a station stands ahead of it, in sizes of cells.
 const STRETCHED: f64 = 1e-3;
+/// Part of the distance of a station beside a corner within which another one takes its place.
+const NEAR_CORNER: f64 = 0.3;
 /// Round-off of a number of cells.
 const ROUND_OFF: f64 = 1e-6;
 /// Samples of the density of stations in an interval.
@@ -106,6 +108,7 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
         let s = s.filter(|s| is_free(*s) && is_inside(wall, *s));
         all.extend(s.map(single));
     }
+    add_beside_corners(wall, webs, &mut all);
     all.sort_by(|a, b| a.s.total_cmp(&b.s));
     if wall.edge.is_ring() {
         let first = all[0];
@@ -118,6 +121,32 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
         all: divided(wall, webs, &all),
         pairs,
     }
+}
+
+/// Adds stations beside the corners of a box, where no other ones are near.
+fn add_beside_corners(wall: &Wall, webs: &[Standing], all: &mut Vec<Station>) {
+    for (s, near) in beside_corners(wall) {
+        let is_far = |known: &Station| from_to(wall, s, known.s).abs() > near;
+        let is_free = zone_of(wall, s).is_none() && !is_under(webs, s, near);
+        if is_free && is_inside(wall, s) && all.iter().all(is_far) {
+            all.push(Station { s, pair: None });
+        }
+    }
+}
+
+/// Places beside the corners of a box, where the stress changes over the thickness T of the wall: at T, 2 T,
+/// 4 T and so on from each corner, as far as cells would be longer; with the distance within which another
+/// station takes their place. None at the trailing edge of a contour without other corners.
+fn beside_corners(wall: &Wall) -> Vec<(f64, f64)> {
+    let corners = wall.mitres.iter().map(|mitre| mitre.s);
+    let corners = corners.filter(|_| !wall.outline.breaks().is_empty());
+    let beside = corners.flat_map(|corner| {
+        let first = wall.stack.total(corner);
+        let ways = std::iter::successors(Some(first), |way| Some(2.0 * way));
+        let ways = ways.take_while(|way| *way > 0.0 && *way < 0.75 * wall.size);
+        ways.flat_map(move |way| [-way, way].map(|by| (corner + by, NEAR_CORNER * way)))
+    });
+    beside.map(|(s, near)| (turned(wall, s), near)).collect()
 }
 
 fn is_inside(wall: &Wall, s: f64) -> bool {

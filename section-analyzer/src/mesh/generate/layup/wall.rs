@@ -63,6 +63,8 @@ pub(in super::super) struct Wall {
     pub ends: [f64; 2],
     /// Intervals of x in which the layers meet.
     pub contacts: Vec<[f64; 2]>,
+    /// Whether there are contacts that are too short for the cells.
+    pub has_short: bool,
     /// Shifts of the pairs at their ends.
     pub shifts: Vec<[f64; 2]>,
     /// Intervals of x with stations in pairs.
@@ -227,6 +229,7 @@ impl Wall {
             edge: if is_ring { Edge::Wall } else { Edge::Face },
             ends,
             contacts: Vec::new(),
+            has_short: false,
             shifts: Vec::new(),
             zones: Vec::new(),
             fineness: Vec::new(),
@@ -259,6 +262,7 @@ impl Wall {
                     side: SIDES[side],
                     arc: web.arcs[side],
                     contact,
+                    thickest: self.stack.thickest(s),
                 });
             }
         }
@@ -357,9 +361,15 @@ impl Wall {
         let points = self.samples();
         let is_thick = |s: f64| self.stack.total(s) > self.radius(s, &points);
         let can_meet = |pair: &Pair| is_face || pair.s.into_iter().any(is_thick);
-        self.contacts = self
+        let [usual, short] = self
             .pairs
             .contacts(&self.stack, self.size, is_face, &can_meet);
+        self.has_short = !short.is_empty();
+        self.contacts = usual;
+        if remedies.has_short {
+            self.contacts.extend(short);
+            self.contacts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        }
         if self.edge == Edge::Face {
             self.close_edge();
         }

@@ -20,6 +20,8 @@ use super::wall::{Edge, Wall};
 const SAMPLES: usize = 240;
 /// Part of the size of cells that a column of a web is wide at most.
 const WIDEST: f64 = 0.6;
+/// Part of the contour around the nose that may be on either side.
+const AT_NOSE: f64 = 0.01;
 
 /// A web, or a line that bounds a fill, on the inner faces.
 #[derive(Debug, Clone)]
@@ -132,6 +134,7 @@ pub(super) fn stand(section: &LayupSection, wall: &Wall) -> Result<Vec<Standing>
             .collect()
     });
     for web in &uprights {
+        check_sides(web, nose / wall.outline.perimeter())?;
         let points = web
             .arcs
             .map(|arc| wall.outline.position(arc * wall.outline.perimeter()));
@@ -281,10 +284,25 @@ impl Search<'_> {
                     side: SIDES[side],
                     arc: self.web.arcs[side],
                     contact: arcs,
+                    thickest: self.wall.stack.thickest(self.web.arcs[side] * perimeter),
                 });
             }
         }
         Ok(())
+    }
+}
+
+/// Refuses a web with both places on one side of the arc of the nose.
+fn check_sides(web: &Web, nose: f64) -> Result<(), LayupProblem> {
+    let beyond = [web.arcs[0] - nose, nose - web.arcs[1]];
+    match beyond.iter().position(|beyond| *beyond > AT_NOSE) {
+        None => Ok(()),
+        Some(side) => Err(LayupProblem::OneSide {
+            web: upright(web),
+            side: SIDES[side],
+            arc: web.arcs[side],
+            nose,
+        }),
     }
 }
 
