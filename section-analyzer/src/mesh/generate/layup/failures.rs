@@ -10,8 +10,8 @@ const AROUND: f64 = 4.0;
 /// Adds remedies for a wall whose cells fail at these positions; all its contacts without
 /// positions. Returns whether anything is left to try.
 pub(super) fn add(remedies: &mut Remedies, wall: &Wall, positions: &[[f64; 2]]) -> bool {
-    if wall.has_short && !remedies.has_short {
-        remedies.with_short();
+    if !remedies.is_close && wall.has_other_contacts() {
+        remedies.search_closely();
         return true;
     }
     let mut contacts: Vec<usize> = Vec::new();

@@ -211,6 +211,14 @@ impl Pairs {
         }
     }
 
+    /// The x of the kinks of the thicknesses on both sides, behind the foremost x.
+    fn kinks(&self, stack: &Stack) -> Vec<f64> {
+        let side = |s: f64| usize::from(s > self.outline.nose());
+        let kinks = stack.kinks().into_iter();
+        let kinks = kinks.map(|kink| self.x(side(kink.s), kink.s));
+        kinks.filter(|x| *x > FOREMOST && *x < 1.0).collect()
+    }
+
     /// The x at which it is searched whether layers meet.
     fn searched(&self) -> Vec<f64> {
         let aft = |i: usize| FOREMOST + (1.0 - FOREMOST) * i as f64 / STEPS as f64;
@@ -239,20 +247,24 @@ impl Pairs {
     }
 
     /// Where the layers meet: intervals of x, foremost first, in which `can_meet` is true of the
-    /// pairs. Sides that end without a wall meet at x = 1 in any case if `closed`. Second, the intervals
-    /// that are too short for the cells.
+    /// pairs. Sides that end without a wall meet at x = 1 in any case if `closed`. Searched `closely`, also at
+    /// the ends of ramps, intervals that are short for the cells are among them.
     pub fn contacts(
         &self,
         stack: &Stack,
         size: f64,
-        closed: bool,
+        [closed, closely]: [bool; 2],
         can_meet: &dyn Fn(&Pair) -> bool,
-    ) -> [Vec<[f64; 2]>; 2] {
+    ) -> Vec<[f64; 2]> {
         let meets = |x: f64| {
             let pair = self.pair(x);
             pair.gap(stack) < 0.0 && can_meet(&pair)
         };
-        let at = self.searched();
+        let mut at = self.searched();
+        if closely {
+            at.extend(self.kinks(stack));
+            at.sort_by(f64::total_cmp);
+        }
         let mut found: Vec<[f64; 2]> = Vec::new();
         let mut last = meets(at[0]);
         if self.fills_fan(stack) {
@@ -290,9 +302,8 @@ impl Pairs {
         }
         let is_fan = |one: &[f64; 2]| one[0] == 0.0;
         let is_long = |one: &[f64; 2]| (one[1] - one[0]) * length > SHORT * size;
-        let is_usual = |one: &[f64; 2]| one[1] >= 1.0 || is_fan(one) || is_long(one);
-        let (usual, short) = joined.into_iter().partition(is_usual);
-        [usual, short]
+        joined.retain(|one| closely || one[1] >= 1.0 || is_fan(one) || is_long(one));
+        joined
     }
 
     /// Places within a contact at which the share of a side or a layer ends.

@@ -19,8 +19,8 @@ pub(in super::super) struct Remedies {
     contacts: Vec<(usize, usize)>,
     /// Intervals of the arc length with shorter cells.
     pub fine: Vec<[f64; 2]>,
-    /// Whether contacts that are too short for the cells are contacts.
-    pub has_short: bool,
+    /// Whether contacts are searched closely.
+    pub is_close: bool,
 }
 
 impl Remedies {
@@ -31,9 +31,9 @@ impl Remedies {
         TRIED[step]
     }
 
-    /// Contacts that are too short for the cells, in the place of remedies at others, whose numbers change.
-    pub fn with_short(&mut self) {
-        self.has_short = true;
+    /// A closer search of contacts, in the place of remedies at others, whose numbers change.
+    pub fn search_closely(&mut self) {
+        self.is_close = true;
         self.contacts.clear();
     }
 

@@ -120,7 +120,7 @@ fn sides_meet_where_the_layers_fill_the_height() {
         0.05,
         (false, outline.corners(), 0.0),
     );
-    let [contacts, _] = pairs.contacts(&stack, 0.05, true, &|_| true);
+    let contacts = pairs.contacts(&stack, 0.05, [true, false], &|_| true);
     assert_eq!(contacts.len(), 1, "{contacts:?}");
     // height 0.4 to 0.1 over 2: 0.2 / cos at this distance behind the shoulder
     let cosine = 2.0 / 2.0_f64.hypot(0.15);

@@ -63,8 +63,6 @@ pub(in super::super) struct Wall {
     pub ends: [f64; 2],
     /// Intervals of x in which the layers meet.
     pub contacts: Vec<[f64; 2]>,
-    /// Whether there are contacts that are too short for the cells.
-    pub has_short: bool,
     /// Shifts of the pairs at their ends.
     pub shifts: Vec<[f64; 2]>,
     /// Intervals of x with stations in pairs.
@@ -229,7 +227,6 @@ impl Wall {
             edge: if is_ring { Edge::Wall } else { Edge::Face },
             ends,
             contacts: Vec::new(),
-            has_short: false,
             shifts: Vec::new(),
             zones: Vec::new(),
             fineness: Vec::new(),
@@ -354,22 +351,25 @@ impl Wall {
         }
     }
 
-    /// Finds where the layers meet, and the zones around.
-    fn find_contacts(&mut self, remedies: &Remedies) {
+    /// Intervals of x in which the layers meet, searched closely or not.
+    fn found_contacts(&self, closely: bool) -> Vec<[f64; 2]> {
         // also the columns at a web lean onto the base
         let is_face = !self.edge.is_ring();
         let points = self.samples();
         let is_thick = |s: f64| self.stack.total(s) > self.radius(s, &points);
         let can_meet = |pair: &Pair| is_face || pair.s.into_iter().any(is_thick);
-        let [usual, short] = self
-            .pairs
-            .contacts(&self.stack, self.size, is_face, &can_meet);
-        self.has_short = !short.is_empty();
-        self.contacts = usual;
-        if remedies.has_short {
-            self.contacts.extend(short);
-            self.contacts.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        }
+        let how = [is_face, closely];
+        self.pairs.contacts(&self.stack, self.size, how, &can_meet)
+    }
+
+    /// Whether a closer search finds other contacts.
+    pub fn has_other_contacts(&self) -> bool {
+        self.edge != Edge::Smooth && self.found_contacts(true) != self.found_contacts(false)
+    }
+
+    /// Finds where the layers meet, and the zones around.
+    fn find_contacts(&mut self, remedies: &Remedies) {
+        self.contacts = self.found_contacts(remedies.is_close);
         if self.edge == Edge::Face {
             self.close_edge();
         }
