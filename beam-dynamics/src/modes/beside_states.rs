@@ -158,7 +158,7 @@ impl EigenProblem<'_> {
         }
         let part = |i: usize, j: usize| {
             let entry = columns[j / 2][i];
-            if j % 2 == 0 { entry.re } else { entry.im }
+            [entry.re, entry.im][j % 2]
         };
         let within = self
             .inverse()
