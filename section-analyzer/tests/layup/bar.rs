@@ -4,6 +4,7 @@
 use section_analyzer::analysis::analyze;
 use section_analyzer::input::layup::{LayupMesh, Selection, SpanStation};
 
+use crate::areas;
 use crate::files::section_of;
 use crate::windio::blade;
 
@@ -22,12 +23,8 @@ const MATERIALS: [(&str, f64, f64); 6] = [
 /// Layers of more than 1 % of a section whose area is more than 0.5 % off, without the part that contacts
 /// cut; the largest difference.
 fn beyond(meshed: &LayupMesh) -> (Vec<String>, f64) {
-    let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
-    let large = meshed
-        .areas
-        .iter()
-        .filter(|area| area.meshed > 0.01 * total);
-    let errors = large.map(|area| (&area.name, area.meshed / (area.nominal - area.cut) - 1.0));
+    let large = areas::large(&meshed.areas);
+    let errors = large.map(|area| (&area.name, areas::error(area)));
     let errors: Vec<_> = errors.collect();
     let most = errors.iter().map(|one| one.1.abs()).fold(0.0, f64::max);
     let beyond = errors.into_iter().filter(|one| one.1.abs() > 5e-3);

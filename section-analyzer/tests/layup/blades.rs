@@ -4,6 +4,7 @@
 use section_analyzer::mesh::generate::layup::{LayupProblem, MeshedLayup};
 use serde_json::Value;
 
+use crate::areas;
 use crate::sections::{Case, cases, number, reference, solved_with_center};
 
 /// Measures of the reference, in the order of [`solved`].
@@ -22,12 +23,7 @@ fn row<'a>(results: &'a Value, case: &Case) -> Option<&'a Value> {
 /// Layers of more than 1 % of the section: within 0.5 % of thickness times length, with the
 /// curvature and without the part that contacts cut.
 fn check_areas(case: &Case, meshed: &MeshedLayup, row: &Value) {
-    let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
-    for area in meshed
-        .areas
-        .iter()
-        .filter(|area| area.meshed > 0.01 * total)
-    {
+    for area in areas::large(&meshed.areas) {
         let expected = &row["areas"][&area.name];
         if expected.is_array() {
             let error = area.meshed / number(&expected[3]) - 1.0;

@@ -4,6 +4,7 @@
 mod effort;
 
 mod absent;
+mod areas;
 mod bar;
 mod blades;
 mod boxes;

@@ -6,6 +6,7 @@ use section_analyzer::mesh::generate::layup::{LayerArea, Outline};
 use section_analyzer::properties::Perimeter;
 use serde_json::Value;
 
+use crate::areas;
 use crate::effort;
 use crate::files::section;
 use crate::sections::{measures, number, reference};
@@ -34,17 +35,13 @@ fn stations(name: &str) -> Vec<Value> {
 fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
     let eta = number(&station["eta"]);
     let meshed = layup.mesh(eta).map_err(|problems| problems.to_string())?;
-    let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
     let expected = station["areas"].as_object();
     let of = |name: &str| {
         let mut all = expected?.iter();
         let found = all.find(|(known, _)| known.eq_ignore_ascii_case(name))?;
         Some(number(&found.1[1]))
     };
-    let large = meshed
-        .areas
-        .iter()
-        .filter(|area| area.meshed > 0.01 * total);
+    let large = areas::large(&meshed.areas);
     let error = |area: &LayerArea| {
         let errors = [of(&area.name)?, area.nominal].map(|other| area.meshed / other - 1.0);
         let least = errors
@@ -114,13 +111,8 @@ fn areas_between_the_stations_are_those_of_the_layers() {
             let eta = f64::from(i) / 100.0;
             let meshed = layup.mesh(eta);
             let meshed = meshed.unwrap_or_else(|problems| panic!("{file} {eta}: {problems}"));
-            let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
-            for area in meshed
-                .areas
-                .iter()
-                .filter(|area| area.meshed > 0.01 * total)
-            {
-                let error = area.meshed / (area.nominal - area.cut) - 1.0;
+            for area in areas::large(&meshed.areas) {
+                let error = areas::error(area);
                 if error.abs() > 5e-3 {
                     println!("{file} {eta} {} {error:.4}", area.name);
                     beyond.push((i, error));

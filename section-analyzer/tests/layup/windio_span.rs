@@ -2,6 +2,7 @@
 
 use section_analyzer::input::layup::{Layup, Selection};
 
+use crate::areas;
 use crate::windio::{blade, read, tube};
 
 /// The tube with changes.
@@ -176,13 +177,8 @@ fn short_contacts_are_meshed() {
     for eta in [0.7757, 0.776, 0.7764, 0.7768] {
         let meshed = layup.mesh(eta);
         let meshed = meshed.unwrap_or_else(|problems| panic!("{problems}"));
-        let total: f64 = meshed.areas.iter().map(|area| area.meshed).sum();
-        for area in meshed
-            .areas
-            .iter()
-            .filter(|area| area.meshed > 0.01 * total)
-        {
-            let error = area.meshed / (area.nominal - area.cut) - 1.0;
+        for area in areas::large(&meshed.areas) {
+            let error = areas::error(area);
             assert!(error.abs() < 5e-3, "{eta}: {} {error:e}", area.name);
         }
     }
