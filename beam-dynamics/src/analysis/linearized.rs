@@ -1,10 +1,11 @@
 //! A model linearized about an equilibrium, and its modes as motions.
 
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use crate::assembly::{MasslessMotions, Sparse, System, Tangent};
+use crate::assembly::{MasslessMotions, Sparse, Tangent};
 use crate::case::Model;
 use crate::modes::{
     EigenProblem, Eigenpair, MassMatrix, ModeMotion, Rotor, separate, separate_patterns,
@@ -19,23 +20,25 @@ use super::steady::Equilibrium;
 /// The linearized system with its masses.
 pub(super) struct Linearized<'a> {
     model: &'a Model,
+    steady: &'a Equilibrium,
     tangent: Tangent,
     massless: MasslessMotions,
-    /// The system without the forces of the air, if any act.
-    vacuum: Option<Tangent>,
+    /// The system without the forces of the air, if any act, once it is needed.
+    vacuum: OnceCell<Option<Tangent>>,
     mass: MassMatrix,
 }
 
 impl<'a> Linearized<'a> {
     /// Linearizes the model about an equilibrium.
-    pub fn new(model: &'a Model, steady: &Equilibrium) -> Self {
+    pub fn new(model: &'a Model, steady: &'a Equilibrium) -> Self {
         let system = &model.system;
         let tangent = system.tangent(&steady.state, &steady.conditions);
         let mass = MassMatrix::new(&tangent.by_rates, system.nodes().len());
         Self {
             model,
             massless: MasslessMotions::new(system, &tangent),
-            vacuum: vacuum(system, steady, &tangent),
+            vacuum: OnceCell::new(),
+            steady,
             tangent,
             mass,
         }
@@ -45,7 +48,9 @@ impl<'a> Linearized<'a> {
     pub fn problem<'b>(&'b self, solver: &'b LinearSolver) -> Option<EigenProblem<'b>> {
         let copies = copies(self.model);
         let problem = EigenProblem::new(solver, &self.tangent, &self.massless, copies)?;
-        Some(problem.with_vacuum(self.vacuum.as_ref()))
+        // Only among slow states of the air modes are found from the ones without it.
+        let has_states = !self.model.system.scalars().is_empty();
+        Some(problem.with_vacuum(has_states.then(|| self.vacuum()).flatten()))
     }
 
     /// The problem of modes near a `size` \[1/s\], which are known of a similar system.
@@ -60,14 +65,30 @@ impl<'a> Linearized<'a> {
 
     /// The same system without the forces of the air; `None` if no air acts.
     pub fn without_air(&self) -> Option<Self> {
-        let (system, tangent) = (&self.model.system, self.vacuum.clone()?);
+        let (system, tangent) = (&self.model.system, self.vacuum()?.clone());
         Some(Self {
             model: self.model,
             massless: MasslessMotions::new(system, &tangent),
-            vacuum: None,
+            vacuum: OnceCell::from(None),
+            steady: self.steady,
             mass: MassMatrix::new(&tangent.by_rates, system.nodes().len()),
             tangent,
         })
+    }
+
+    /// The linearized system without the forces of the air; `None` if none act.
+    fn vacuum(&self) -> Option<&Tangent> {
+        let vacuum = || {
+            let mut conditions = self.steady.conditions;
+            conditions.loading.air = 0.0;
+            let system = &self.model.system;
+            let tangent = system.tangent(&self.steady.state, &conditions);
+            let is_same =
+                |of: fn(&Tangent) -> &Sparse| of(&tangent).values() == of(&self.tangent).values();
+            let is_whole = is_same(|own| &own.by_unknowns) && is_same(|own| &own.by_rates);
+            (!is_whole).then_some(tangent)
+        };
+        self.vacuum.get_or_init(vacuum).as_ref()
     }
 
     /// The motion of a pair.
@@ -92,15 +113,6 @@ impl<'a> Linearized<'a> {
         }
         motions
     }
-}
-
-/// The linearized system without the forces of the air; `None` if it is the `whole` one.
-fn vacuum(system: &System, steady: &Equilibrium, whole: &Tangent) -> Option<Tangent> {
-    let mut conditions = steady.conditions;
-    conditions.loading.air = 0.0;
-    let tangent = system.tangent(&steady.state, &conditions);
-    let is_same = |of: fn(&Tangent) -> &Sparse| of(&tangent).values() == of(whole).values();
-    (!(is_same(|own| &own.by_unknowns) && is_same(|own| &own.by_rates))).then_some(tangent)
 }
 
 /// A mode of a growth \[1/s\] and an angular frequency \[rad/s\] that nothing else is known of.

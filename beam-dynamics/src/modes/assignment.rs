@@ -32,22 +32,11 @@ pub fn assign(
     [roots, modes]: [usize; 2],
     unlikeness: impl Fn(usize, usize) -> f64,
 ) -> Vec<Option<usize>> {
-    // A column for each mode, and one for each root for no mode.
+    // A column for each mode, and one for each root for no mode, which is better than a pair beyond its c.
     let cost = |(root, column): (usize, usize)| {
-        let own = if column < modes {
-            unlikeness(root, column)
-        } else {
-            NONE
-        };
-        // A pair beyond the bound is worse than none; so is one that is no number.
-        let own = if own < NONE {
-            own
-        } else if column < modes {
-            2.0 * NONE
-        } else {
-            NONE
-        };
-        (own * STEPS).round() as i64
+        let of_mode = (column < modes).then(|| unlikeness(root, column));
+        let cost = of_mode.map_or(NONE, |own| if own < NONE { own } else { 2.0 * NONE });
+        (cost * STEPS).round() as i64
     };
     if roots == 0 {
         return Vec::new();

@@ -23,7 +23,7 @@ use faer::{Mat, c64};
 use nalgebra::Complex;
 
 use super::assignment::{assign, unlikeness};
-use super::copies::{CONFIRMED, is_new};
+use super::copies::{is_near, is_new};
 use super::eigen::EigenProblem;
 use super::eigenpair::Eigenpair;
 use super::motion::{MassMatrix, ModeMotion};
@@ -54,12 +54,15 @@ impl EigenProblem<'_> {
     /// The `count` oscillations of lowest frequency of a system in which no air acts, and the other copies of
     /// the last one; scalars, such as states of the air, follow without lag.
     pub fn structural(&self, count: usize) -> Vec<Eigenpair> {
-        self.structural_of(self.tangent(), count)
+        match self.without_circuits(self.tangent()) {
+            Some(alone) => self.lowest_of(&alone, count),
+            None => self.lowest_complete(count),
+        }
     }
 
-    fn structural_of(&self, tangent: &Tangent, count: usize) -> Vec<Eigenpair> {
-        let alone = self.without_circuits(tangent);
-        let problem = self.beside(alone.as_ref().unwrap_or(tangent));
+    /// The same of another system, without scalars that lag.
+    fn lowest_of(&self, tangent: &Tangent, count: usize) -> Vec<Eigenpair> {
+        let problem = self.beside(tangent);
         problem.map_or_else(Vec::new, |problem| problem.lowest_complete(count))
     }
 
@@ -73,8 +76,8 @@ impl EigenProblem<'_> {
     /// The oscillations that are the `count` lowest modes of the structure alone, or else others of lowest magnitude, with
     /// the ones that grow, by ascending frequency; and the number of modes that are none of them.
     pub(super) fn beside_states(&self, count: usize) -> (Vec<Eigenpair>, usize) {
-        let alone = self.vacuum().unwrap_or(self.tangent());
-        let modes = self.structural_of(alone, count + SPARE);
+        let alone = self.without_circuits(self.vacuum().unwrap_or(self.tangent()));
+        let modes = alone.map_or_else(Vec::new, |alone| self.lowest_of(&alone, count + SPARE));
         let found = self.confirmed_of(&self.in_space_of(&modes));
         let mass = MassMatrix::new(&self.tangent().by_rates, self.size() / NODE_UNKNOWNS);
         let mode_of = modes_of((&found, &modes), &mass);
@@ -211,9 +214,4 @@ fn with_copies(pairs: &[Eigenpair], count: usize) -> usize {
         + copies
             .take_while(|pair| last.is_some_and(|last| is_near(last, pair)))
             .count()
-}
-
-/// Whether two values may be copies of one.
-fn is_near(a: &Eigenpair, b: &Eigenpair) -> bool {
-    (a.value() - b.value()).norm() <= CONFIRMED * a.value().norm()
 }

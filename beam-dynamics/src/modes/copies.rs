@@ -36,13 +36,16 @@ pub(super) fn is_independent(pairs: &[Eigenpair]) -> bool {
     (0..vectors.len()).all(|i| (0..i).all(|j| overlap(i, j) < PARALLEL))
 }
 
+/// Whether the values of two pairs may be copies of one.
+pub(super) fn is_near(a: &Eigenpair, b: &Eigenpair) -> bool {
+    (a.value() - b.value()).norm() <= CONFIRMED * a.value().norm()
+}
+
 /// Whether a pair is none of the known ones, and no combination of copies among them.
 pub fn is_new(pair: &Eigenpair, known: &[Eigenpair]) -> bool {
-    let is_near = |other: &&Eigenpair| {
-        (other.value() - pair.value()).norm() <= CONFIRMED * pair.value().norm()
-    };
     let size = pair.real.len();
-    let near = known.iter().filter(is_near).map(Eigenpair::vector);
+    let near = known.iter().filter(|other| is_near(pair, other));
+    let near = near.map(Eigenpair::vector);
     let mut basis: Vec<_> = near.collect();
     orthonormalize(&mut basis, size);
     let mut own = pair.vector();

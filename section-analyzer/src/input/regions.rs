@@ -143,13 +143,23 @@ impl Declared for Angle {}
 
 impl Value for Angle {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        let angle = table.quantity(key.name, Dimension::ANGLE)?;
-        if angle.abs() > LARGEST_ANGLE {
-            table.wrong(key, "an angle of at most 1000 revolutions");
-            return None;
-        }
-        Some(Self(angle))
+        let expected = "an angle of at most 1000 revolutions";
+        bounded_angle(table, key, (LARGEST_ANGLE, expected)).map(Self)
     }
+}
+
+/// An angle up to the `largest` one, in words `expected` \[rad\].
+pub(super) fn bounded_angle(
+    table: &Table<'_>,
+    key: &KeySchema,
+    (largest, expected): (f64, &str),
+) -> Option<f64> {
+    let angle = table.quantity(key.name, Dimension::ANGLE)?;
+    if angle.abs() > largest {
+        table.wrong(key, expected);
+        return None;
+    }
+    Some(angle)
 }
 
 impl Declared for WrittenAngle {}

@@ -66,13 +66,12 @@ fn number(roots: &mut [StabilityRoot]) {
             continue;
         }
         let all = families.entry(own.name.clone()).or_default();
+        let places = own.blades.unwrap_or(1).max(1);
         let fits = |family: &Vec<usize>| {
-            let others = || family.iter().map(|other| &roots[*other]);
-            let has_place = others().all(has_pattern) || family.len() < own.blades.unwrap_or(1);
-            match has_pattern(own) {
-                true => has_place && !others().any(|other| is_alike(other, own)),
-                false => family.len() < own.blades.unwrap_or(1).max(1),
-            }
+            let mut others = family.iter().map(|other| &roots[*other]);
+            let all_have_patterns = others.clone().all(has_pattern);
+            let has_place = family.len() < places || has_pattern(own) && all_have_patterns;
+            has_place && !(has_pattern(own) && others.any(|other| is_alike(other, own)))
         };
         let place = all.iter().position(fits).unwrap_or(all.len());
         if place == all.len() {
@@ -172,12 +171,13 @@ fn assigned(
 /// Exchanges the modes of oscillations so that the ones of one motion and pattern ascend with their roots: two of them
 /// do not cross, but exchange their shapes.
 fn ascend(mode_of: &mut [Option<usize>], roots: &[StabilityRoot], modes: &[StabilityRoot]) {
-    for first in 0..modes.len() {
-        let alike = |mode: usize| is_alike(&modes[mode], &modes[first]);
-        let is_first = !(0..first).any(alike);
-        let mut own: Vec<_> = (0..roots.len())
-            .filter(|root| is_first && !is_real(&roots[*root]) && mode_of[*root].is_some_and(alike))
-            .collect();
+    for (first, kind) in modes.iter().enumerate() {
+        let alike = |mode: usize| is_alike(&modes[mode], kind);
+        if (0..first).any(alike) {
+            continue;
+        }
+        let is_own = |root: &usize| !is_real(&roots[*root]) && mode_of[*root].is_some_and(alike);
+        let mut own: Vec<_> = (0..roots.len()).filter(is_own).collect();
         own.sort_by(|a, b| size(&roots[*a]).total_cmp(&size(&roots[*b])));
         let mut numbers: Vec<_> = own.iter().filter_map(|root| mode_of[*root]).collect();
         numbers.sort_by_key(|mode| modes[*mode].number);
@@ -197,7 +197,7 @@ fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
 }
 
 /// Magnitude in the axes of the blades \[1/s\].
-fn size(root: &StabilityRoot) -> f64 {
+pub(super) fn size(root: &StabilityRoot) -> f64 {
     root.growth().hypot(root.in_blades)
 }
 

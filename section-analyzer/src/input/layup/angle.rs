@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use shared_geom::document::schema::KeySchema;
 use shared_geom::document::{Declared, Table, Value};
-use shared_geom::units::Dimension;
+
+use super::super::regions::bounded_angle;
 
 /// Largest angle, with round-off \[rad\].
 const LARGEST: f64 = TAU * (1.0 + 1e-9);
@@ -24,11 +25,6 @@ impl Declared for Angle {}
 
 impl Value for Angle {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
-        let angle = table.quantity(key.name, Dimension::ANGLE)?;
-        if !is_within_a_turn(angle) {
-            table.wrong(key, WITHIN_A_TURN);
-            return None;
-        }
-        Some(Self(angle))
+        bounded_angle(table, key, (LARGEST, WITHIN_A_TURN)).map(Self)
     }
 }

@@ -17,12 +17,14 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
+use std::rc::Rc;
 
 use nalgebra::{Matrix6, Vector2, Vector3};
 
 use super::super::Reading;
 use super::super::problem::{ExchangeProblem, Problems};
 use super::super::stations::{name_of, provenance};
+use super::super::text::number;
 use super::fields::{self, Column, required};
 use crate::blade::{Blade, Interpolation, Station};
 use crate::exchange::yaml::{Node, Value};
@@ -163,8 +165,8 @@ fn height(axis: &Node, problems: &mut Problems) -> Option<f64> {
 
 /// A number above zero; notes another value.
 fn positive(node: &Node, what: &str, problems: &mut Problems) -> Option<f64> {
-    let number = node.text().and_then(|text| text.trim().parse::<f64>().ok());
-    let found = number.filter(|number| *number > 0.0 && number.is_finite());
+    let found = node.text().and_then(number);
+    let found = found.filter(|number| *number > 0.0 && number.is_finite());
     if found.is_none() {
         let problem = ExchangeProblem::Other {
             what: what.to_owned(),
@@ -180,16 +182,7 @@ fn positive(node: &Node, what: &str, problems: &mut Problems) -> Option<f64> {
 /// The layers of the wall.
 fn layers(root: &Node, structure: &Node, problems: &mut Problems) -> Option<Vec<Layer>> {
     let node = required(structure, "the structure of the tower", "layers", problems)?;
-    let Value::List(items) = &node.value else {
-        let problem = ExchangeProblem::Other {
-            what: "layers of the tower".to_owned(),
-            found: node.kind(),
-            expected: "a list".to_owned(),
-            help: "begin the items with \"-\"".to_owned(),
-        };
-        problems.push(node.line, &problem);
-        return None;
-    };
+    let items = items(node, "layers of the tower", problems)?;
     // All are read, so that all problems are reported.
     let layers: Vec<_> = items
         .iter()
@@ -198,16 +191,29 @@ fn layers(root: &Node, structure: &Node, problems: &mut Problems) -> Option<Vec<
     layers.into_iter().collect()
 }
 
+/// The items of a list; notes another value.
+fn items<'a>(node: &'a Node, what: &str, problems: &mut Problems) -> Option<&'a [Rc<Node>]> {
+    if let Value::List(items) = &node.value {
+        return Some(items);
+    }
+    let problem = ExchangeProblem::Other {
+        what: what.to_owned(),
+        found: node.kind(),
+        expected: "a list".to_owned(),
+        help: "begin the items with \"-\"".to_owned(),
+    };
+    problems.push(node.line, &problem);
+    None
+}
+
 fn layer(root: &Node, item: &Node, problems: &mut Problems) -> Option<Layer> {
     let of = "a layer of the tower";
     let thickness = required(item, of, "thickness", problems);
     let thickness = thickness.and_then(|node| fields::column(node, "thickness", problems));
     let name = required(item, of, "material", problems)?;
     let list = required(root, "the file", "materials", problems)?;
-    let Value::List(materials) = &list.value else {
-        return None;
-    };
-    let is_it = |node: &&std::rc::Rc<Node>| node.entry("name").and_then(Node::text) == name.text();
+    let materials = items(list, "materials", problems)?;
+    let is_it = |node: &&Rc<Node>| node.entry("name").and_then(Node::text) == name.text();
     let Some(material) = materials.iter().find(is_it) else {
         let problem = ExchangeProblem::Missing {
             what: format!("the material \"{}\"", name.text().unwrap_or_default()),

@@ -7,7 +7,7 @@ use super::{Failed, ROUND_OFF, Source, nothing};
 use crate::analysis::around_the_axis::{copies, rotor};
 use crate::analysis::linearized::{Linearized, describe, point_of};
 use crate::analysis::modes::Failure;
-use crate::analysis::stability::names::named;
+use crate::analysis::stability::names::{named, size};
 use crate::analysis::steady::{Equilibrium, equilibrium};
 use crate::analysis::trim::fits;
 use crate::case::{Model, Words};
@@ -147,9 +147,7 @@ impl Source<'_> {
         let mut roots = named(roots.collect(), vacuum.map(|modes| (modes, has_states)));
         let requested = input.modes.as_ref().map_or(0, |own| own.count);
         let count = self.count_of_modes(requested) + copies(model) - 1;
-        let kept = kept(&roots, count);
-        let mut kept = kept.iter();
-        roots.retain(|_| kept.next().is_some_and(|is_kept| *is_kept));
+        keep_lowest(&mut roots, count);
         roots
     }
 
@@ -159,24 +157,16 @@ impl Source<'_> {
     }
 }
 
-/// The roots that are listed: the `count` oscillations of lowest magnitude with the copies of the last one, and the ones
-/// that grow. Others were found for names only, which depend on the modes above.
-fn kept(roots: &[StabilityRoot], count: usize) -> Vec<bool> {
-    let size = |root: &StabilityRoot| root.growth().hypot(root.in_blades);
-    let mut sizes: Vec<_> = roots
-        .iter()
-        .filter(|root| root.in_blades > 0.0)
-        .map(size)
-        .collect();
+/// Keeps the `count` oscillations of lowest magnitude with the copies of the last one, the ones that grow, and the
+/// motions that do not oscillate. Others were found for names only, which depend on the modes above.
+fn keep_lowest(roots: &mut Vec<StabilityRoot>, count: usize) {
+    let oscillations = roots.iter().filter(|root| root.in_blades > 0.0);
+    let mut sizes: Vec<_> = oscillations.map(size).collect();
     sizes.sort_by(f64::total_cmp);
-    let last = sizes
-        .get(count.saturating_sub(1))
-        .copied()
-        .unwrap_or(f64::INFINITY);
-    let is_kept = |root: &StabilityRoot| {
-        root.in_blades == 0.0 || root.growth() > 0.0 || size(root) <= last * (1.0 + COPY)
-    };
-    roots.iter().map(is_kept).collect()
+    if let Some(last) = sizes.get(count.saturating_sub(1)) {
+        let largest = last * (1.0 + COPY);
+        roots.retain(|root| root.in_blades == 0.0 || root.growth() > 0.0 || size(root) <= largest);
+    }
 }
 
 /// The model in which modes are seen.

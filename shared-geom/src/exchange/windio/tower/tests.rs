@@ -183,6 +183,7 @@ fn wrong_towers_are_explained() {
         ),
         ("rho: 7850.0", "rho: -1", "expected one number above zero"),
         ("outer_diameter", "diameter", "outer_diameter"),
+        ("materials:", "materials: steel\nothers:", "expected a list"),
     ] {
         assert!(sound.contains(from), "{from}");
         let found = refused(&sound.replace(from, to), "tower");
