@@ -148,7 +148,7 @@ impl Value for Angle {
     }
 }
 
-/// An angle up to the `largest` one, in words `expected` \[rad\].
+/// An angle up to the `largest` one \[rad\]; `expected` describes the possible ones.
 pub(super) fn bounded_angle(
     table: &Table<'_>,
     key: &KeySchema,
