@@ -4,7 +4,7 @@
 //! the eigenvalues of H approximate the largest ones of M, and with `H y = mu y`
 //!
 //! ```text
-//! | M V y - mu V y | = |rest| |y_m|                                                  (D-204)
+//! | M V y - mu V y | = |rest| |y_m|                                                  (D-444)
 //! ```
 //!
 //! Where the space is invariant, as with repeated eigenvalues, another vector of the range of the

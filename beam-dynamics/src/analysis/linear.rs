@@ -17,7 +17,7 @@ use nalgebra::{Complex, DMatrix};
 use crate::analysis::averaged::{Air, Averaged, averaged};
 use crate::analysis::periodic::periodic_from;
 use crate::analysis::steady::{NoEquilibrium, equilibrium, free_equilibrium, rpm};
-use crate::analysis::trim::{Reader, trim};
+use crate::analysis::trim::{Reader, small_motions, trim};
 use crate::assembly::{System, redundancy};
 use crate::case::{LinearAbout, LinearPort, LinearSettings, Model};
 use crate::input::Input;
@@ -152,15 +152,13 @@ fn trimmed(input: &Input, read: Reader<'_>) -> Result<LinearModel, LinearFailure
     let end = outcome.end.ok_or(LinearFailure::NotRequested)?;
     let (model, state) = (&end.input.model, end.state.as_ref());
     let settings = end.input.linear.as_ref();
-    let mut conditions = model.conditions(own.speed, 1.0, 1.0);
-    // In small motions the controls are constant.
-    conditions.loading.start();
+    let (conditions, speed) = small_motions(&end.input).ok_or(LinearFailure::NotRequested)?;
     of(&Operation {
         model,
         settings: settings.ok_or(LinearFailure::NotRequested)?,
         state: state.ok_or(LinearFailure::NotRequested)?,
         conditions,
-        about: format!("the equilibrium of the trim at {}", rpm(own.speed)),
+        about: format!("the equilibrium of the trim at {}", rpm(speed)),
         averaged: None,
     })
 }

@@ -19,6 +19,7 @@ mod balanced;
 mod broyden;
 mod reason;
 
+pub(super) use balanced::small_motions;
 use broyden::Range;
 
 /// Reads the file with other values of parameters.

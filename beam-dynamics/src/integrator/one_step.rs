@@ -4,7 +4,7 @@
 //! without a prediction, so that with `xi_i` the change of stage i and `K_i` its rates
 //!
 //! ```text
-//! xi_i = h sum_j a_ij K_j        F(y_0 o xi_i, K_i, lambda_i, t_i) = 0               (D-210)
+//! xi_i = h sum_j a_ij K_j        F(y_0 o xi_i, K_i, lambda_i, t_i) = 0               (D-450)
 //! ```
 //!
 //! The derivative of the end by the first state then follows from the matrix of the stages at the

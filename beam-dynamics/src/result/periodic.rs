@@ -209,7 +209,7 @@ impl Harmonics {
     /// for harmonics below half the number of values:
     ///
     /// ```text
-    /// c_m = 2/n sum_k y_k cos(2 pi m k/n) ,   s_m = 2/n sum_k y_k sin(2 pi m k/n)      (D-202)
+    /// c_m = 2/n sum_k y_k cos(2 pi m k/n) ,   s_m = 2/n sum_k y_k sin(2 pi m k/n)      (D-442)
     /// ```
     pub fn of(values: &[f64], count: usize) -> Self {
         let n = values.len();

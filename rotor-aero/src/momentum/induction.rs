@@ -4,11 +4,13 @@
 //! momentum       CT = 4 F a (1 - a)
 //! Buhl, a > .4   CT = 8/9 + (4 F - 40/9) a + (50/9 - 4 F) a^2
 //! HAWC2, a > 0   a = .0883 C^3 + .0586 C^2 + .2460 C,  C = CT / F
+//!        a <= 0  C = 4 a (1.0163 - a)
 //! ```
 //!
 //! Buhl, NREL/TP-500-36834 (2005); Ning, Wind Energy 17 (2014) 1327, for the solution by
 //! `k = sigma cn / (4 F sin^2 phi)`; Madsen et al., Wind Energy Science 5 (2020) 1, for the
-//! polynomial. Here `a`, `k` and `CT` have the signs of turbines.
+//! polynomial. Its slope at `a = 0` is not the one of momentum, 1 / 4: without the constant 1 / (4 * .2460)
+//! for negative loads the mass flow would jump there. Here `a`, `k` and `CT` have the signs of turbines.
 
 use crate::real::Real;
 
@@ -22,7 +24,7 @@ pub enum HighInduction {
     /// law is continuous in hover.
     #[default]
     BuhlOutside,
-    /// The polynomial of HAWC2, for all positive loads.
+    /// The polynomial of HAWC2, for all positive loads; momentum with its slope for negative ones.
     Polynomial,
     /// Momentum alone, for comparison.
     Momentum,
@@ -31,21 +33,22 @@ pub enum HighInduction {
 /// Coefficients of the polynomial, from the cube down.
 const CUBIC: [f64; 3] = [0.0883, 0.0586, 0.2460];
 
+/// CT / (4 F a) of the polynomial at `a = 0` \[-\].
+const AT_ZERO: f64 = 0.25 / CUBIC[2];
+
 /// The induction factor above which Buhl's law holds \[-\].
 pub(crate) const SWITCH: f64 = 0.4;
 
 impl HighInduction {
-    /// Thrust coefficient of a ring at the induction factor `a >= 0` and the factor of loss.
+    /// Thrust coefficient of a ring at the induction factor `a` and the factor of loss.
     pub fn thrust<T: Real>(self, a: T, loss: T) -> T {
-        if a.re() <= 0.0 {
-            return loss * a * (T::from(1.0) - a) * 4.0;
-        }
         loss * a * self.slope(a, loss) * 4.0
     }
 
-    /// CT / (4 F a), of momentum `1 - a`, at `a > 0`.
+    /// CT / (4 F a), of momentum `1 - a`.
     pub(crate) fn slope<T: Real>(self, a: T, loss: T) -> T {
         match self {
+            Self::Polynomial if a.re() <= 0.0 => T::from(AT_ZERO) - a,
             Self::Polynomial => {
                 let c = cubic_root(a);
                 ((c * CUBIC[0] + CUBIC[1]) * c + CUBIC[2]).recip() * 0.25
@@ -61,12 +64,13 @@ impl HighInduction {
     pub fn factor(self, ct: f64, loss: f64) -> f64 {
         let local = ct / loss;
         let momentum = 2.0 * SWITCH * (1.0 - SWITCH) * 2.0;
-        let below = |local: f64| 0.5 * (1.0 - (1.0 - local).max(0.0).sqrt());
+        let below = |at_zero: f64| 0.5 * (at_zero - (at_zero * at_zero - local).max(0.0).sqrt());
         match self {
             Self::Polynomial if local > 0.0 => polynomial(local),
+            Self::Polynomial => below(AT_ZERO),
             Self::Buhl if local > momentum => inverse_parabola(ct, loss),
             Self::BuhlOutside if local > momentum => inverse_parabola(local, 1.0),
-            _ => below(local),
+            _ => below(1.0),
         }
     }
 
@@ -77,6 +81,7 @@ impl HighInduction {
             Self::Buhl if k > 2.0 / 3.0 => buhl(k, loss),
             Self::BuhlOutside if k > 2.0 / 3.0 => buhl(k, 1.0),
             Self::Polynomial if k > 0.0 && forward => polynomial_from_k(k),
+            Self::Polynomial if k > -1.0 && forward => negative_from_k(k),
             _ => k / (1.0 + k),
         }
     }
@@ -147,6 +152,12 @@ fn polynomial_from_k(k: f64) -> f64 {
         }
     }
     1.0 - q * scale
+}
+
+/// The root of `a (AT_ZERO - a) = k (1 - a)^2` that is zero at `k = 0`, for `-1 < k <= 0`.
+fn negative_from_k(k: f64) -> f64 {
+    let half = 2.0 * k + AT_ZERO;
+    2.0 * k / (half + (half * half - 4.0 * k * (1.0 + k)).sqrt())
 }
 
 #[cfg(test)]

@@ -142,7 +142,7 @@ fn check_momentum(ring: &Annulus, vx: f64, vy: f64, found: &Solution) {
     let a = -found.axial / vx;
     let mass = match ring.options.high_induction {
         law if a > 0.4 && a < 1.0 => law.slope(a, found.loss) * vx.abs(),
-        HighInduction::Polynomial if a > 0.0 && a < 1.0 => {
+        HighInduction::Polynomial if a < 1.0 => {
             HighInduction::Polynomial.slope(a, found.loss) * vx.abs()
         }
         _ => through,

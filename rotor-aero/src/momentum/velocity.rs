@@ -3,7 +3,8 @@
 //! ```text
 //! u m = (sigma / 4 F) W^2 cn,  v m = (sigma / 4 F) W^2 ct
 //! m = sqrt((Vx + u)^2 + Vt^2 + e^2)
-//! m = max(m, |Vx| CT(a) / (4 F a))  if a = -u / Vx > .4  (turbulent wake)
+//! m = max(m, |Vx| CT(a) / (4 F a))  if a = -u / Vx > .4  (turbulent wake, Buhl)
+//! m = sqrt((Vx CT(a) / (4 F a))^2 + Vt^2 + e^2)  if a < 1  (polynomial)
 //! ```
 //!
 //! Momentum of a ring after Glauert (1935), with the velocity `Vt` of the wind in the plane of the
@@ -52,7 +53,10 @@ pub fn mass_flow<T: Real>(annulus: &Annulus, ambient: &Ambient<T>, u: T, loss: T
 
 /// [`mass_flow`] by a law of high induction.
 pub fn mass_flow_by<T: Real>(law: HighInduction, ambient: &Ambient<T>, u: T, loss: T) -> T {
-    let through = ambient.axial + u;
+    let through = match law {
+        HighInduction::Polynomial => by_polynomial(ambient.axial, u),
+        _ => ambient.axial + u,
+    };
     let square = through * through + ambient.skew * ambient.skew + LEAST_SPEED * LEAST_SPEED;
     let momentum = square.sqrt();
     let loaded = turbulent(law, ambient.axial, u, loss);
@@ -105,16 +109,29 @@ fn terms<T: Real>(
     (mass, load * normal, load * tangential)
 }
 
-/// Mass-flow speed by the law of high induction, where it holds.
+/// Mass-flow speed by the polynomial; beyond `a = 1` of the flow itself where this is larger.
+fn by_polynomial<T: Real>(axial: T, u: T) -> T {
+    let through = absolute(axial + u);
+    if axial.re() == 0.0 {
+        return through;
+    }
+    let a = -u / axial;
+    let speed = absolute(axial) * HighInduction::Polynomial.slope(a, T::from(1.0));
+    if !speed.re().is_finite() {
+        through
+    } else if a.re() < 1.0 {
+        speed
+    } else {
+        larger(through, speed)
+    }
+}
+
+/// Mass-flow speed in the turbulent wake by Buhl's law, where it holds.
 fn turbulent<T: Real>(law: HighInduction, axial: T, u: T, loss: T) -> Option<T> {
-    let start = match law {
-        HighInduction::Momentum => return None,
-        HighInduction::Polynomial => 0.0,
-        HighInduction::Buhl | HighInduction::BuhlOutside => SWITCH,
-    };
-    // a > start without a division by zero
+    let is_buhl = matches!(law, HighInduction::Buhl | HighInduction::BuhlOutside);
+    // a > SWITCH without a division by zero
     let against = -u.re() * axial.re().signum();
-    if !(against > start * axial.re().abs() && axial.re() != 0.0) {
+    if !(is_buhl && against > SWITCH * axial.re().abs() && axial.re() != 0.0) {
         return None;
     }
     let size = absolute(axial);

@@ -158,6 +158,31 @@ fn is_smooth(annulus: &Annulus, pitch: f64, x: [f64; 5], h: f64) -> bool {
     })
 }
 
+/// From climb to descent, in skewed flow too: a jump would leave equations without a solution. The slopes are
+/// below 4 (the turbulent wake of small loss).
+#[test]
+fn the_mass_flow_is_continuous() {
+    let mut random = Random(7);
+    for law in [HighInduction::BuhlOutside, HighInduction::Polynomial] {
+        let annulus = ring(&mut random, law);
+        for axial in [-15.0, -1e-3, 1e-3, 9.0] {
+            for skew in [0.0, 1.0, 10.0] {
+                let ambient = Ambient {
+                    axial,
+                    rotation: 50.0,
+                    skew,
+                };
+                let at = |u: f64| mass_flow(&annulus, &ambient, u, 0.6);
+                for step in -3000..3000 {
+                    // u = 0 lies between two values.
+                    let [one, other] = [0.0, 0.01].map(|h| at(0.01 * f64::from(step) - 0.005 + h));
+                    assert!((one - other).abs() < 0.04, "{law:?} {axial} {skew} {step}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn derivatives_in_all_regimes() {
     let mut random = Random(11);

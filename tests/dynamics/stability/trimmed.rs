@@ -79,3 +79,46 @@ fn multipliers_of_a_trim_are_those_of_its_controls() {
     let [slow, fast] = [0, 1].map(|number: usize| &trimmed.points[number].controls);
     assert!((slow[2] - fast[2]).abs() > 1e-3, "{slow:?} {fast:?}");
 }
+
+/// The same blades in hover at the speed `rate`, trimmed to a thrust by the equilibrium.
+fn hovering(rate: f64, collective: &str, trim: &str) -> String {
+    format!(
+        "[parameters]\nrate = {rate}\n[properties.spar]\nea = 7e8\ngay = 2e8\ngaz = 2e8\ngj = 3e6\neiy = 2e6\n\
+         eiz = 4e6\nm = 6\niy = 1e-3\niz = 1e-2\n[air]\ndensity = 1.225\n\
+         [[rotor]]\nname = \"r\"\nhub = \"articulated\"\nblades = 3\nspeed = \"= rate\"\n\
+         [[rotor.hinge]]\nkind = \"flap\"\noffset = 0.2\n\
+         [rotor.swashplate]\ncollective = {collective}\n\
+         [rotor.blade]\nhub_radius = 0.2\nproperties = \"spar\"\n\
+         piece = [{{ length = 4.8, elements = 1 }}]\n\
+         [rotor.blade.aerodynamics]\nsection = \"quasi_steady\"\nstrips = 2\nstations = [\n\
+         {{ at = 0.6, chord = 0.3, airfoil = \"naca0012\" }},\n\
+         {{ at = 4.8, chord = 0.3, airfoil = \"naca0012\" }} ]\n\
+         [modes]\nspeeds = \"= rate\"\n[sensors.thrust]\nquantity = \"thrust\"\n{trim}\
+         [stability]\nby = \"modes\"\nparameter = \"rate\"\nvalues = [24, 30]\nboundaries = false\ncount = 6\n"
+    )
+}
+
+// The speed of a trim belongs to the value that is analyzed: the roots are the ones of the model whose collective
+// is the trimmed number, whatever value the file itself has. To the tolerances of the trims, 1e-9, times the
+// condition of the roots.
+#[test]
+fn the_speed_of_a_value_is_the_speed_of_its_trim() {
+    let trim = "[trim]\nmethod = \"equilibrium\"\nspeed = \"= rate\"\n\
+        [[trim.control]]\nname = \"collective\"\nguess = 0.1\nscale = 0.1\n\
+        [[trim.target]]\nname = \"thrust\"\nsignal = \"= thrust\"\nvalue = 8e3\nscale = 1e4\n";
+    let trimmed = analyzed(&hovering(30.0, "\"= collective\"", trim));
+    for (number, point) in trimmed.points.iter().enumerate() {
+        let collective = format!("{:?}", point.controls[0]);
+        for result in [
+            analyzed(&hovering(24.0, "\"= collective\"", trim)),
+            analyzed(&hovering(30.0, &collective, "")),
+        ] {
+            let expected = &result.points[number].roots;
+            assert!(!expected.is_empty() && expected.len() == point.roots.len());
+            for (root, other) in point.roots.iter().zip(expected) {
+                let off = (root.exponent - other.exponent).norm();
+                assert!(off < 1e-6 * other.exponent.norm(), "{number} {root:?} {other:?}");
+            }
+        }
+    }
+}

@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! d - M d = y(T) - y(0)              (states)
-//! -(M d)_I / T = I(T)/T - target     (rows of the controls)                          (D-205)
+//! -(M d)_I / T = I(T)/T - target     (rows of the controls)                          (D-445)
 //! d_I = 0                            (rows of the integrals)
 //! ```
 //!

@@ -4,7 +4,7 @@
 //! multiblade coordinates, carry kinetic energy at the frequencies `Im s + m 2 pi/T`:
 //!
 //! ```text
-//! u_m = 1/n sum_k u(t_k) exp(-i 2 pi m k/n) ,   w_m = sum_j m_j |u_mj|^2            (D-207)
+//! u_m = 1/n sum_k u(t_k) exp(-i 2 pi m k/n) ,   w_m = sum_j m_j |u_mj|^2            (D-447)
 //! Q_h = 1/N sum_k r_k exp(i h psi_k) ,          weight N m_j
 //! ```
 //!

@@ -1,7 +1,7 @@
 //! Stability of a periodic motion: multipliers of the linearized period, exponents, frequencies.
 //!
 //! ```text
-//! M v = mu v ,     s = ln(mu)/T + i m 2 pi/T                                       (D-208)
+//! M v = mu v ,     s = ln(mu)/T + i m 2 pi/T                                       (D-448)
 //! ```
 //!
 //! The branch m has the largest content of the mode in the fixed frame, or the nearest to

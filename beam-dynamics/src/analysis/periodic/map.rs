@@ -6,7 +6,7 @@
 //! ```text
 //! sum_j (h a_ij F_xi + delta_ij F_K) dK_j + F_lambda d lambda_i = -F_y d_{n-1}
 //! d_n = U ( d_{n-1} + h sum_j a_sj dK_j ) ,
-//! theta_n = G(u_s) U dg_s + R(u_s) U theta_{n-1}                                       (D-201)
+//! theta_n = G(u_s) U dg_s + R(u_s) U theta_{n-1}                                       (D-441)
 //! ```
 //!
 //! with the rotation U of the axes in which a node is integrated.

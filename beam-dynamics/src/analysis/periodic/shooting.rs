@@ -1,7 +1,7 @@
 //! The periodic motion by Newton's method for its first state.
 //!
 //! ```text
-//! ( I - M ) d = y(T) seen from y(0) ,     y(0) <- y(0) o d                         (D-206)
+//! ( I - M ) d = y(T) seen from y(0) ,     y(0) <- y(0) o d                         (D-446)
 //! ```
 //!
 //! by generalized minimal residuals: the multipliers that the constraints add are zero, so that all
@@ -21,7 +21,7 @@ use crate::case::{Model, PeriodicSettings};
 use crate::integrator::StepFailure;
 use crate::model::{NODE_UNKNOWNS, State};
 use crate::result::PeriodicPass;
-use crate::solver::{Gmres, gmres};
+use crate::solver::{Gmres, Preconditioner, gmres};
 
 /// Residual of the correction [-].
 const TOLERANCE: f64 = 1e-8;
@@ -141,13 +141,14 @@ impl Shooting<'_> {
             });
             if part <= self.settings.tolerance {
                 let state = state.clone();
-                return self.determined(Orbit { state, end, map }, &rows);
+                let orbit = Orbit { state, end, map };
+                return self.determined(orbit, &rows, &mut flow.preconditioner);
             }
             let map = last.insert(map);
             if iterations >= self.settings.iterations || !part.is_finite() {
                 return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
-            let found = self.correction(map, &residual, &rows);
+            let found = self.correction(map, (&residual, &rows), &mut flow.preconditioner);
             let Some(found) = found.filter(|found| found.residual < SINGULAR) else {
                 return Err(self.singular(map, worst));
             };
@@ -215,7 +216,12 @@ impl Shooting<'_> {
     }
 
     /// The solution in sizes of the unknowns; `None` if it is not finite.
-    fn correction(&self, map: &PeriodMap, residual: &[f64], rows: &[f64]) -> Option<Gmres> {
+    fn correction(
+        &self,
+        map: &PeriodMap,
+        (residual, rows): (&[f64], &[f64]),
+        preconditioner: &mut Preconditioner,
+    ) -> Option<Gmres> {
         let right: Vec<_> = residual
             .iter()
             .zip(rows)
@@ -225,6 +231,7 @@ impl Shooting<'_> {
             &mut |x| self.product(map, rows, x),
             &right,
             (TOLERANCE, MOST),
+            preconditioner,
         )
     }
 
@@ -291,7 +298,12 @@ impl Shooting<'_> {
 
     /// A motion that has its targets, if its controls determine them: targets that depend on each
     /// other are met by any of many controls. Any other targets are reached by a correction if they do.
-    fn determined(&self, orbit: Orbit, rows: &[f64]) -> Result<Orbit, PeriodicFailure> {
+    fn determined(
+        &self,
+        orbit: Orbit,
+        rows: &[f64],
+        preconditioner: &mut Preconditioner,
+    ) -> Result<Orbit, PeriodicFailure> {
         let mut other = vec![0.0; rows.len()];
         let targets = self.border.target_rows();
         for (number, row) in targets.iter().enumerate() {
@@ -301,7 +313,7 @@ impl Shooting<'_> {
         if targets.is_empty() {
             return Ok(orbit);
         }
-        let found = self.correction(&orbit.map, &other, rows);
+        let found = self.correction(&orbit.map, (&other, rows), preconditioner);
         let is_regular = |found: Gmres| {
             let d = found.x.iter().zip(self.sizes).map(|(x, size)| x * size);
             // Equations that are singular but for round-off have a solution of large controls.
@@ -328,6 +340,7 @@ impl Shooting<'_> {
         let held = self.border.unknowns();
         let mut response = DMatrix::zeros(count, count);
         let mut turns = vec![0.0; count];
+        let mut preconditioner = Preconditioner::default();
         for column in 0..count {
             let control = self.border.control(column);
             let mut first = vec![0.0; self.sizes.len()];
@@ -344,7 +357,8 @@ impl Shooting<'_> {
                 Some(())
             };
             let scaled: Vec<_> = right.iter().zip(self.sizes).map(|(d, s)| d / s).collect();
-            let found = gmres(&mut product, &scaled, (TOLERANCE, MOST))?;
+            let limits = (TOLERANCE, MOST);
+            let found = gmres(&mut product, &scaled, limits, &mut preconditioner)?;
             let moved = found.x.iter().zip(self.sizes).map(|(x, s)| x * s);
             first
                 .iter_mut()

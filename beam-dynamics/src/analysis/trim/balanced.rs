@@ -10,6 +10,7 @@ use crate::analysis::stall::StallSum;
 use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::analysis::transient::begin_at_rest;
 use crate::case::{Model, TrimSettings};
+use crate::input::Input;
 use crate::model::{Conditions, State};
 use crate::result::Stall;
 use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
@@ -73,6 +74,15 @@ pub(super) fn values<'a>(
 ) -> Vec<f64> {
     let value = |label| scalar(model, label).map_or(f64::NAN, |index| state.scalars[index]);
     labels.map(|label| value(label)).collect()
+}
+
+/// The conditions of small motions about the equilibrium of a trimmed file, at the speed \[rad/s\] of its own
+/// reading: controls are constant in them. `None` if the file has no trim.
+pub(in crate::analysis) fn small_motions(input: &Input) -> Option<(Conditions, f64)> {
+    let settings = input.trim.as_ref()?;
+    let mut conditions = conditions(&input.model, settings);
+    conditions.loading.start();
+    Some((conditions, settings.speed))
 }
 
 /// The conditions of a trim.

@@ -9,7 +9,7 @@ use crate::analysis::linearized::{Linearized, describe, point_of};
 use crate::analysis::modes::Failure;
 use crate::analysis::stability::names::{named, size};
 use crate::analysis::steady::{Equilibrium, equilibrium};
-use crate::analysis::trim::fits;
+use crate::analysis::trim::{fits, small_motions};
 use crate::case::{Model, Words};
 use crate::input::Input;
 use crate::modes::{Eigenpair, ModeMotion, Rotor};
@@ -70,9 +70,8 @@ impl Source<'_> {
             return Ok((input, steady));
         };
         let (input, _) = self.trimmed(at, trim)?;
-        let mut conditions = input.model.conditions(trim.speed, 1.0, 1.0);
-        // In small motions the controls are constant.
-        conditions.loading.start();
+        let (conditions, _) =
+            small_motions(&input).ok_or_else(|| nothing("[trim] is missing"))?;
         let known = self.known.iter().find(|known| known.at == at);
         let state = known.map(|known| known.state.clone());
         let steady = state.map(|state| Equilibrium {

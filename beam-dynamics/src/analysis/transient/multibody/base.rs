@@ -5,7 +5,7 @@
 //! their axes, of which U is the rotation and w the angular velocity,
 //!
 //! ```text
-//! theta = R(u) U theta_0 ,   d omega = 0 ,   dx = U dx_0 ,   dv = [w]x U dx_0           (D-200)
+//! theta = R(u) U theta_0 ,   d omega = 0 ,   dx = U dx_0 ,   dv = [w]x U dx_0           (D-440)
 //! ```
 
 use nalgebra::Matrix3;
