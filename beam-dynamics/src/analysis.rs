@@ -60,6 +60,7 @@ mod linking;
 mod modal_damping;
 pub mod modes;
 mod multiblade;
+mod operation;
 pub mod performance;
 pub mod periodic;
 pub mod stability;

@@ -55,7 +55,7 @@ const WRONG_INPUT: u8 = 2;
 
 /// A file without the table of the requested analysis.
 #[derive(Debug, thiserror::Error)]
-#[error("{file}: has no [{table}], which defines the analysis")]
+#[error("{file}: has no [{table}] that defines the analysis")]
 struct MissingTable {
     file: String,
     table: &'static str,

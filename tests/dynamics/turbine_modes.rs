@@ -125,6 +125,57 @@ fn whirls_are_named_and_shifted_by_the_speed() {
     );
 }
 
+// At 60 rpm and 8 m/s the ratio of the speeds of tips and wind is 8.6. Wind from the other side, a speed in rad/s that
+// is read as rpm, one of rpm that is read in rad/s, and a pitch of 30 degrees in the wrong sense are remarked, and
+// the rotor as it is has no remark.
+#[test]
+fn operating_points_of_no_turbine_are_remarked() {
+    let remarks = |change: [&str; 2]| {
+        let text = text("frozen", "quasi_steady");
+        assert!(text.contains(change[0]), "{text}");
+        let result = over(&text.replace(change[0], change[1]), "wind", "[8]");
+        let remarks = result.remarks.into_iter();
+        remarks
+            .filter(|one| one.starts_with("rotor \"rotor\""))
+            .collect::<Vec<_>>()
+    };
+    let speed = "speeds = [60]";
+    assert_eq!(remarks([speed, speed]), Vec::<String>::new());
+    for (from, to, expected) in [
+        (
+            "\"= wind\"]",
+            "\"= -wind\"]",
+            "is against the axis of rotation",
+        ),
+        (
+            speed,
+            "speeds = [3]",
+            "expected more than 0.5: check the unit of the speed of rotation",
+        ),
+        (
+            speed,
+            "speeds = [\"20 rad/s\"]",
+            "expected less than 20 of a turbine",
+        ),
+        ("\"= -feather\"", "\"= 30 + feather\"", "are beyond stall"),
+        (
+            "\"= -feather\"",
+            "\"= 30 + feather\"",
+            "kW from its shaft in a wind of 8 m/s",
+        ),
+    ] {
+        let found = remarks([from, to]);
+        assert!(
+            found.iter().any(|one| one.contains(expected)),
+            "{expected}: {found:#?}"
+        );
+        assert!(
+            found[0].starts_with("rotor \"rotor\" at wind = 8: "),
+            "{found:#?}"
+        );
+    }
+}
+
 // Light blades, whose first flap mode has three quarters of the critical damping: no system without lags has
 // an oscillation near it (with a quasi-steady section it does not oscillate), and it is found from the mode
 // without air. Numbers of flap modes count from it, at each wind. Two section models have the same lags

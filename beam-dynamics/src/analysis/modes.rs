@@ -21,6 +21,8 @@ use super::growing;
 use super::linearized::{self, Linearized, point_of};
 use super::linking::{Mode, direct_links};
 use super::modal_damping;
+use super::operation::Operation;
+use super::stall::air_at;
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium, rpm};
 
 /// Modes computed beyond those reported, so that a mode that rises out of the list
@@ -184,6 +186,7 @@ fn run(
     let mut found: Vec<_> = first.iter().map(|at_first| at(&solver, at_first)).collect();
     found.par_extend(others.par_iter().map(|other| at(&solver.clone(), other)));
     let mut last: Option<Modes> = None;
+    let mut operation = Operation::default();
     for ((speed, steady), found) in equilibria.iter().zip(found) {
         let mut now = found?;
         let links = match &last {
@@ -196,12 +199,15 @@ fn run(
         let with_shapes = case.settings.shapes.contains(speed);
         let found: Vec<_> = now.found.iter().map(|m| (&m.point, &m.motion)).collect();
         branches.add(&found, links.as_deref(), with_shapes);
+        let air = air_at(&case.model.system, &steady.state, &steady.conditions);
+        operation.add(&rpm(*speed), &air, case.settings.style.words);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.decaying.push(decaying(case, &mut now));
         table.remarks.extend(remarks(case, &now, last.is_none()));
         last = Some(now);
     }
+    table.remarks.extend(operation.remarks());
     let fastest = equilibria.last().map(|(speed, steady)| {
         let conditions = case.model.conditions(*speed, 1.0, 1.0);
         let sections = case

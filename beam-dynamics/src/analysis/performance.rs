@@ -40,7 +40,8 @@ fn table(case: &PerformanceCase, part: &PerformancePart) -> (PerformanceTable, V
     let points = (0..part.request.count()).into_par_iter();
     let points = points.filter_map(|index| {
         let mut point = point(case, &part.request, index)?;
-        let reached = Reached::of(&case.rotor, &point.performance);
+        let of = (case.machine, part.abscissa);
+        let reached = Reached::of(&case.rotor, &point.performance, of);
         let radius = point.performance.disk_radius;
         let at = part.abscissa.of(&point.setting(), radius);
         let is_at = |chosen: &f64| (at - chosen).abs() <= SAME * chosen.abs().max(1.0);

@@ -9,12 +9,13 @@
 //! All steps are of Radau IIA: on systems with constraints the map of such a step adds nothing but
 //! multipliers of zero; two-step formulas add some that hide true ones.
 
-use crate::analysis::stall::StallSum;
+use crate::analysis::operation::Operation;
+use crate::analysis::stall::{StallSum, air_at};
 use crate::analysis::transient::{Multibody, Started, independent, start};
-use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
+use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings, Words};
 use crate::elements::Queries;
 use crate::integrator::Dae;
-use crate::model::State;
+use crate::model::{Conditions, State};
 use crate::result::{AcceptedStep, FloquetTable, PeriodicPass, PeriodicResult, Recorder, Stall};
 use crate::solver::Largest;
 
@@ -166,8 +167,25 @@ fn find(
     state.copy_from(found.first());
     result.controls = controls_at(&border, settings, state);
     result.targets = border.reached(found.end());
+    let remarks = operation(model, (state, &conditions), result.stall);
+    result.remarks.extend(remarks);
     result.floquet = stability(&shooting, &mut flow, found)?;
     Ok(())
+}
+
+/// Remarks on the operating point of the first instant; with known stall without its own.
+fn operation(
+    model: &Model,
+    (state, conditions): (&State, &Conditions),
+    stall: Option<Stall>,
+) -> Vec<String> {
+    let mut operation = match stall {
+        Some(_) => Operation::without_stall(),
+        None => Operation::default(),
+    };
+    let air = air_at(&model.system, state, conditions);
+    operation.add("", &air, Words::default());
+    operation.remarks()
 }
 
 /// Means of the targets in the last pass.

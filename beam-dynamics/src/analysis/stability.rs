@@ -46,7 +46,7 @@ pub fn stability(
     }
     let found = scan(&of_scan, &mut |at| source.roots(at));
     let mut remarks = found.remarks;
-    remarks.extend(source.remark());
+    remarks.extend(source.remarks());
     remarks.extend(of_two_blades(&found.modes, source.is_double()));
     remarks.extend(overdamped(settings, &found.points, &found.modes));
     let mut points = found.points;

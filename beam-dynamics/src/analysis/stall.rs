@@ -2,7 +2,7 @@
 //! the chord, where lift no longer rises as it does below.
 
 use crate::assembly::System;
-use crate::elements::Observations;
+use crate::elements::{AirState, Observations};
 use crate::model::{Conditions, State};
 use crate::result::Stall;
 
@@ -14,39 +14,20 @@ const ATTACHED: f64 = 0.7;
 /// flow comes from behind.
 const SLOW: f64 = 0.3;
 
-/// Strips of a model over instants.
-pub(super) struct StallSum<'a> {
-    system: &'a System,
-    instants: usize,
+/// Strips over instants.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct StallCount {
     stalled: usize,
     all: usize,
     largest: f64,
 }
 
-impl<'a> StallSum<'a> {
-    pub fn new(system: &'a System) -> Self {
-        Self {
-            system,
-            instants: 0,
-            stalled: 0,
-            all: 0,
-            largest: 0.0,
-        }
-    }
-
-    /// Adds an instant.
-    pub fn add(&mut self, state: &State, conditions: &Conditions) {
-        let mut observed = Observations::default();
-        for (index, element) in self.system.elements().enumerate() {
-            if element.reports().is_some() {
-                let system = self.system;
-                system.observe_element(index, state, conditions, &mut observed);
-            }
-        }
-        self.instants += 1;
-        let speeds = observed.air.iter().map(|own| own.flow.speed);
+impl StallCount {
+    /// Adds the strips of an instant.
+    pub fn add<'a>(&mut self, strips: impl Iterator<Item = &'a AirState> + Clone) {
+        let speeds = strips.clone().map(|own| own.flow.speed);
         let least = SLOW * speeds.fold(0.0, f64::max);
-        for own in observed.air.iter().filter(|own| own.flow.speed > least) {
+        for own in strips.filter(|own| own.flow.speed > least) {
             self.all += 1;
             self.stalled += usize::from(own.attached < ATTACHED);
             if own.flow.alpha.abs() > self.largest.abs() {
@@ -62,4 +43,41 @@ impl<'a> StallSum<'a> {
             part: self.stalled as f64 / self.all as f64,
         })
     }
+}
+
+/// Strips of a model over instants.
+pub(super) struct StallSum<'a> {
+    system: &'a System,
+    count: StallCount,
+}
+
+impl<'a> StallSum<'a> {
+    pub fn new(system: &'a System) -> Self {
+        Self {
+            system,
+            count: StallCount::default(),
+        }
+    }
+
+    /// Adds an instant.
+    pub fn add(&mut self, state: &State, conditions: &Conditions) {
+        let air = air_at(self.system, state, conditions);
+        self.count.add(air.iter());
+    }
+
+    /// The stall; `None` without strips.
+    pub fn found(&self) -> Option<Stall> {
+        self.count.found()
+    }
+}
+
+/// The strips of a model in the air.
+pub(super) fn air_at(system: &System, state: &State, conditions: &Conditions) -> Vec<AirState> {
+    let mut observed = Observations::default();
+    for (index, element) in system.elements().enumerate() {
+        if element.reports().is_some() {
+            system.observe_element(index, state, conditions, &mut observed);
+        }
+    }
+    observed.air
 }

@@ -1,6 +1,7 @@
 //! Equilibria over a parameter: the file is read with each value, and the equilibrium is found from
 //! the one at the value before, or from rest if that fails.
 
+use super::operation::Operation;
 use super::statics::{StaticOutcome, statics_from};
 use super::trim::{Reader, fits, unread};
 use crate::case::{StaticSettings, Sweep};
@@ -18,6 +19,7 @@ pub fn static_sweep(
     watch: &mut dyn FnMut(usize),
 ) -> StaticSweep {
     let mut last: Option<State> = None;
+    let mut operation = Operation::default();
     let mut result = StaticSweep {
         name: name.to_owned(),
         parameter: sweep.parameter.clone(),
@@ -31,6 +33,11 @@ pub fn static_sweep(
             Ok(input) => {
                 let (point, base) = found(&input, at, last.as_ref());
                 last = base.or(last);
+                let step = point.path.as_ref().and_then(|path| path.last());
+                if let Some(step) = step.filter(|_| point.failure.is_none()) {
+                    let place = format!("{} = {}", sweep.parameter, short_number(at, 6));
+                    operation.add(&place, &step.air, input.words());
+                }
                 point
             }
             Err(problems) => StaticSweepPoint {
@@ -41,6 +48,7 @@ pub fn static_sweep(
         add_remarks(&mut result, &point);
         result.points.push(point);
     }
+    result.remarks.extend(operation.remarks());
     result
 }
 

@@ -43,7 +43,7 @@
 //! assert!((tip.z / (0.3 * 8.0 / (3.0 * 240.0)) - 1.0).abs() < 1e-4);
 //! ```
 
-use crate::case::{Model, StaticSettings};
+use crate::case::{Model, StaticSettings, Words};
 use crate::model::{Conditions, State};
 use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
@@ -52,6 +52,7 @@ use super::balance::Balance;
 use super::critical::critical_part;
 use super::deformation::deformation;
 use super::first_order::first_order;
+use super::operation::Operation;
 use super::path::{Point, Walker};
 use super::steady::{Equilibrium, NoEquilibrium, equilibrium};
 
@@ -109,10 +110,17 @@ const OF_FIRST_ORDER: &str = "the limit point may be caused by the table of pres
 
 /// Equilibria of `model` up to the load factor requested by `settings`.
 pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
-    statics_from(model, settings, None)
+    let mut outcome = statics_from(model, settings, None);
+    if let Some(step) = outcome.result.last().filter(|_| outcome.failure.is_none()) {
+        let mut operation = Operation::default();
+        operation.add("", &step.air, Words::default());
+        outcome.result.remarks.extend(operation.remarks());
+    }
+    outcome
 }
 
-/// The same, from the equilibrium of a similar model under rotation and constant loads if it is given.
+/// The same, from the equilibrium of a similar model under rotation and constant loads if it is given, without
+/// remarks on the operating point.
 pub(super) fn statics_from(
     model: &Model,
     settings: &StaticSettings,

@@ -8,9 +8,12 @@
 
 use shared_geom::error::Diagnostics;
 
+use crate::analysis::operation::Operation;
 use crate::analysis::periodic::periodic_watched;
+use crate::analysis::stall::air_at;
 use crate::analysis::statics::{point, static_step};
 use crate::case::{Model, Sweep, TrimControl, TrimMethod, TrimSettings};
+use crate::elements::AirState;
 use crate::input::{Input, short_number};
 use crate::model::State;
 use crate::result::{PeriodicPass, PeriodicResult, StaticResult, TrimPoint, TrimResult};
@@ -43,6 +46,23 @@ pub struct TrimEnd {
     pub state: Option<State>,
     /// The motion or the equilibrium; `None` if there is no equilibrium.
     pub found: Option<Trimmed>,
+}
+
+impl TrimEnd {
+    /// The strips in the air in the equilibrium, or at the start of the period.
+    fn air(&self) -> Vec<AirState> {
+        let model = &self.input.model;
+        let trim = self.input.trim.as_ref();
+        let conditions = match (&self.found, &self.input.periodic, trim) {
+            (Some(Trimmed::Periodic(_)), Some(periodic), _) => {
+                model.conditions_at(periodic.start.from)
+            }
+            (Some(Trimmed::Static(_)), _, Some(trim)) => balanced::conditions(model, trim),
+            _ => return Vec::new(),
+        };
+        let state = self.state.as_ref();
+        state.map_or_else(Vec::new, |state| air_at(&model.system, state, &conditions))
+    }
 }
 
 /// Result of a trim, and its last model.
@@ -103,7 +123,7 @@ pub fn trim_watched(
         parameters: None,
         from: None,
     };
-    let mut end = None;
+    let (mut end, mut operation) = (None, Operation::without_stall());
     let requested = values.len();
     for (done, at) in values.into_iter().enumerate() {
         let mut passes = 0;
@@ -124,6 +144,9 @@ pub fn trim_watched(
         let (point, last) = search.point(at, &mut of_point);
         let is_met = point.failure.is_none();
         result.remarks.extend(stalled(sweep.zip(at), last.as_ref()));
+        if let Some(end) = last.as_ref().filter(|_| is_met) {
+            operation.add(&place(sweep.zip(at)), &end.air(), end.input.words());
+        }
         result.points.push(point);
         end = last.or(end);
         search.from = end.as_ref().and_then(|end| end.state.clone());
@@ -131,6 +154,7 @@ pub fn trim_watched(
             break;
         }
     }
+    result.remarks.extend(operation.remarks());
     TrimOutcome { result, end }
 }
 
@@ -142,11 +166,18 @@ fn stalled(at: Option<(&Sweep, f64)>, end: Option<&TrimEnd>) -> Option<String> {
         Some(Trimmed::Static(_)) => (balanced::stall(end), "in the equilibrium"),
         None => (None, ""),
     };
-    let place = at.map_or_else(String::new, |(sweep, value)| {
-        format!("at {} = {}: ", sweep.parameter, short_number(value, 9))
-    });
     let text = found.filter(|own| own.part > 0.0)?.text(when);
-    Some(format!("{place}{text}"))
+    Some(match at {
+        Some(_) => format!("at {}: {text}", place(at)),
+        None => text,
+    })
+}
+
+/// The value of a sweep as text.
+fn place(at: Option<(&Sweep, f64)>) -> String {
+    at.map_or_else(String::new, |(sweep, value)| {
+        format!("{} = {}", sweep.parameter, short_number(value, 9))
+    })
 }
 
 /// The result of a trim before its first point.

@@ -79,7 +79,8 @@ pub(super) fn read(
     periodic: Option<Option<PeriodicSettings>>,
     trim: Option<Option<TrimSettings>>,
 ) -> Option<Analyses> {
-    let modes = if root.has("modes") {
+    let words = stability::words_alone(root);
+    let modes = if root.has("modes") && words.is_none() {
         speeds::read(root).map(Some)
     } else {
         Some(None)
@@ -100,7 +101,11 @@ pub(super) fn read(
         periodic: analyses.periodic.as_ref(),
         trim: analyses.trim.as_ref(),
     };
-    analyses.stability = stability::read(root, others)?;
+    let mut stability = stability::read(root, others)?;
+    if let Some(own) = &mut stability {
+        own.words = own.words.or(words);
+    }
+    analyses.stability = stability;
     Some(analyses)
 }
 

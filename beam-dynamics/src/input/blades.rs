@@ -38,7 +38,7 @@ mod stations;
 #[cfg(test)]
 mod tests;
 
-pub(in crate::input) use mounts::HUB_RADIUS;
+pub(in crate::input) use mounts::{HUB_RADIUS, remark_on_hub};
 pub(in crate::input) use pieces::{ELEMENTS, LENGTH, PIECES};
 pub use problem::BladeProblem;
 pub(in crate::input) use stations::{BODY, STATIONS};
@@ -225,6 +225,9 @@ fn card(
     let precone = mounts.iter().flatten().next().map(|mount| mount.precone);
     let air = air(table, (&name, source.as_ref()), precone, builder);
     let source = source?;
+    let radius = table.given(&HUB_RADIUS).unwrap_or_default();
+    let remark = remark_on_hub(&format!("blade \"{name}\""), radius, source.length());
+    builder.add_remarks(remark.into_iter().collect());
     let mirrors = mirror::read(table, &name);
     let (layout, masses) = lay(&source, &masses?, table, &name, builder)?;
     let (layout, masses, air) = match mirrors? {

@@ -14,7 +14,8 @@ use crate::case::{FrequencyUnit, ModeStyle, Words};
 const HIGHEST: f64 = 1000.0;
 
 keys! {
-    /// Words for the motion of blades: lag, progressive, regressive; or edge, forward, backward.
+    /// Words for the motion of blades: lag, progressive, regressive; or edge, forward, backward. Beside a
+    /// `[stability]` of a periodic motion it may be the only key of `[modes]`.
     pub(super) WORDS: usize = "words", [Word(&Words::NAMES)], or "\"rotor\"" = 0, "\"wind\"";
     /// Unit of frequencies in tables and figures; with `"rad/s"` rotor speeds are in it too.
     pub(super) FREQUENCY_UNIT: usize = "frequency_unit", [Word(&FrequencyUnit::NAMES)],

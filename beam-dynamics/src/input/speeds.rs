@@ -18,10 +18,10 @@ use crate::case::ModesSettings;
 keys! {
     /// Frequencies and modes of small motions about the equilibrium at each rotor speed.
     pub(super) CARD = "[modes]";
-    /// Rotor speeds: one, a list, or a range.
-    SPEEDS: Vec<f64> = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)]
+    /// Rotor speeds: one, a list, or a range. They are required, but where `words` is the only key.
+    SPEEDS: Option<Vec<f64>> = "speeds", [Quantities(Dimension::ROTATION_SPEED), OneTable(&RANGE)]
         as "a list of rotation speeds, or { from, to, steps }",
-        required, "[0, 300]";
+        optional, "[0, 300]";
     /// Number of modes to report; with `free` the rigid ones are beside them.
     COUNT: usize = "count", [Count(MOST_MODES)], or "10" = DEFAULT_COUNT, "8";
     /// Whether to write animated mode shapes for ParaView.
@@ -46,6 +46,8 @@ keys! {
     STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
 }
 
+/// Description of the speeds.
+const LIST: &str = "a list of rotation speeds, or { from, to, steps }";
 /// Default number of modes.
 const DEFAULT_COUNT: usize = 10;
 /// Speeds of one run: more are treated as an error.
@@ -93,7 +95,7 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
-    let item = table.item(&SPEEDS);
+    let item = Some(table.require_item(&SPEEDS, LIST)?);
     let text = item.as_ref().and_then(Item::text).unwrap_or_default();
     if let Some(ends) = ends(text) {
         let (found, ends) = (text.to_owned(), ends.map(str::to_owned));
@@ -103,7 +105,7 @@ fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
     let speeds = if table.is_table(&SPEEDS) {
         range(&table.table(&SPEEDS)?)
     } else {
-        table.get(&SPEEDS)
+        table.get(&SPEEDS)?
     };
     ascending(table, speeds?)
 }

@@ -6,6 +6,8 @@ use shared_geom::error::Explain;
 use shared_geom::keys;
 use shared_geom::units::Dimension;
 
+use super::Input;
+use super::mode_style::WORDS as MODE_WORDS;
 use super::rotor_speed::RPM;
 use super::sweep::{self, FROM, PARAMETER, STEPS, TO, VALUES};
 use crate::case::{
@@ -69,7 +71,7 @@ pub enum StabilityProblem {
     /// Multiblade coordinates without a speed of the rotor.
     #[error("\"by\" is \"averaged\", but [periodic] has no \"speed\" of a rotor")]
     NoSpeed,
-    /// Values that turn back, or a single one.
+    /// Values that turn back.
     #[error(
         "the values are {first} and then {second}, expected values that all increase or all decrease"
     )]
@@ -79,9 +81,6 @@ pub enum StabilityProblem {
         /// The value after it [unit of the parameter].
         second: f64,
     },
-    /// A single value.
-    #[error("\"values\" has 1 value, expected at least 2")]
-    OneValue,
     /// The parameter is a control.
     #[error("the parameter \"{name}\" is a control of [trim] too")]
     Control {
@@ -106,7 +105,6 @@ impl Explain for StabilityProblem {
             Self::OtherSpeed { .. } => "write one speed in both, or one parameter for both",
             Self::NotInOrder { .. } => "sort the values, and write each once",
             Self::NoSpeed => "write the \"speed\" of the rotor in place of \"period\"",
-            Self::OneValue => "add a value, or use the command \"modes\" or \"periodic\" for one",
             Self::Control { .. } => {
                 "remove the control and its target, or choose another parameter"
             }
@@ -121,6 +119,30 @@ pub(super) struct Others<'a> {
     pub modes: Option<&'a ModesSettings>,
     pub periodic: Option<&'a PeriodicSettings>,
     pub trim: Option<&'a TrimSettings>,
+}
+
+impl Input {
+    /// Words for the motion of blades: of `[stability]`, of `[modes]`, or else of rotors.
+    pub fn words(&self) -> Words {
+        let own = self.stability.as_ref().and_then(|own| own.words);
+        let style = self.modes.as_ref().map(|own| own.style.words);
+        own.or(style).unwrap_or_default()
+    }
+}
+
+/// The words of a `[modes]` without anything else, beside a `[stability]` of a periodic motion, which needs no
+/// modes; `None` otherwise.
+pub(super) fn words_alone(root: &Table<'_>) -> Option<Words> {
+    let table = |key: &str| root.is_table(key).then(|| root.table(key))?;
+    let stability = table("stability").filter(|own| own.is_text(&BY))?;
+    let by = stability.text(BY.name())?;
+    let modes = table("modes").filter(|modes| modes.keys() == [MODE_WORDS.name()])?;
+    if by == "modes" {
+        return None;
+    }
+    let words = modes.get(&MODE_WORDS);
+    modes.finish();
+    words.map(|words| Words::ALL[words])
 }
 
 /// Reads `[stability]` of a file with other analyses; `Some(None)` without the card.
@@ -157,10 +179,7 @@ pub(super) fn read(root: &Table<'_>, others: Others<'_>) -> Option<Option<Stabil
 /// The first problem of the values, and its key.
 fn of_values(settings: &StabilitySettings) -> Option<(&'static str, StabilityProblem)> {
     let values = &settings.sweep.values;
-    if values.len() < 2 {
-        return Some((VALUES.name(), StabilityProblem::OneValue));
-    }
-    let rises = values[1] > values[0];
+    let rises = values.get(1) > values.first();
     let mut pairs = values.windows(2);
     let turned = pairs.find(|pair| pair[0] == pair[1] || (pair[1] > pair[0]) != rises)?;
     let (first, second) = (turned[0], turned[1]);

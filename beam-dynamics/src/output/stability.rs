@@ -1,6 +1,7 @@
 //! Output of stability over a parameter: boundaries, roots, and their figure.
 
 mod files;
+mod looks;
 mod plot;
 mod table;
 mod text;

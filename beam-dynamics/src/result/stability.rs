@@ -23,6 +23,8 @@ pub struct StabilityRoot {
     pub is_overdamped: bool,
     /// Whether it is the free choice of the azimuth or of the time.
     pub is_neutral: bool,
+    /// Whether its motion has no damping without air.
+    pub has_no_structural_damping: bool,
     /// Share of the energy at the frequency [-].
     pub share: f64,
     /// Frequency of the period of the motion, zero about an equilibrium [rad/s].
@@ -51,6 +53,12 @@ pub struct StabilityRoot {
 }
 
 impl StabilityRoot {
+    /// Part of the critical damping that structures usually have: a root that grows by less may be missing it
+    /// [-].
+    pub const SLIGHT: f64 = 0.005;
+    /// Difference of two growths, as a part of their roots, that is round-off [-].
+    const ROUND_OFF: f64 = 1e-6;
+
     /// A root whose motion is not known: a real one at frequency zero, else a pair.
     pub fn new(exponent: Complex<f64>) -> Self {
         Self {
@@ -65,6 +73,7 @@ impl StabilityRoot {
             error: None,
             is_overdamped: false,
             is_neutral: false,
+            has_no_structural_damping: false,
             share: 1.0,
             fundamental: 0.0,
             others: Vec::new(),
@@ -103,6 +112,13 @@ impl StabilityRoot {
     /// Whether it grows.
     pub fn is_unstable(&self) -> bool {
         !self.is_neutral && self.growth() > self.doubt
+    }
+
+    /// Whether it grows slightly, without structural damping.
+    pub fn is_slight(&self) -> bool {
+        let ratio = self.damping_ratio();
+        let is_small = ratio.is_some_and(|ratio| ratio > -Self::SLIGHT);
+        self.is_unstable() && self.has_no_structural_damping && is_small
     }
 
     /// Number of unstable roots that it represents: two for an unstable pair.
@@ -276,6 +292,20 @@ impl StabilityPoint {
     /// Number of unstable roots, two for a pair.
     pub fn unstable(&self) -> usize {
         self.roots.iter().map(StabilityRoot::unstable).sum()
+    }
+
+    /// The root with the largest growth and its mode, without neutral ones: of roots whose growths differ by
+    /// round-off the first one in the order of the modes.
+    pub fn least_damped(&self) -> Option<(&StabilityRoot, usize)> {
+        let pairs = self.roots.iter().zip(self.modes.iter().copied());
+        let counted = pairs.filter(|(root, _)| !root.is_neutral);
+        let most = |a: f64, (root, _): (&StabilityRoot, usize)| a.max(root.growth());
+        let most = counted.clone().fold(f64::NEG_INFINITY, most);
+        let is_most = |(root, _): &(&StabilityRoot, usize)| {
+            let round_off = StabilityRoot::ROUND_OFF * root.exponent.norm();
+            root.growth() >= most - root.doubt.max(round_off)
+        };
+        counted.filter(is_most).min_by_key(|(_, mode)| *mode)
     }
 
     /// The root of a mode, if it was found.

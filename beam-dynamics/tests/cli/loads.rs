@@ -112,8 +112,7 @@ fn a_file_without_the_settings_is_refused() {
     for (command, table) in [("static", "[static]"), ("buckling", "[buckling]")] {
         let run = folder.run(&[command, "a.dynamics.toml"]);
         assert_eq!(run.code, 2);
-        let reported =
-            format!("error: a.dynamics.toml: has no {table}, which defines the analysis");
+        let reported = format!("error: a.dynamics.toml: has no {table} that defines the analysis");
         assert!(run.err.starts_with(&reported), "{}", run.err);
     }
 }

@@ -385,7 +385,7 @@ fn a_file_without_a_run_is_reported() {
     assert_eq!(run.code, 2);
     assert_eq!(
         run.err,
-        "error: a.dynamics.toml: has no [transient], which defines the analysis\n  \
+        "error: a.dynamics.toml: has no [transient] that defines the analysis\n  \
          help: add [transient] with to = 1 and step = \"1 ms\"\n"
     );
     let run = folder.run(&[

@@ -288,6 +288,12 @@ fn bending_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
     sum(stiffness) / sum(mass)
 }
 
+/// A factor with two digits.
+fn two_digits(factor: f64) -> f64 {
+    let size = 10.0_f64.powf(factor.log10().floor() - 1.0);
+    rounded((factor / size).round() * size)
+}
+
 /// Remark on a small square of the speed of sound [m^2/s^2], which `of` describes, in a file that
 /// declares the unit of length `unit` [m].
 fn slow_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
@@ -297,6 +303,10 @@ fn slow_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
     let implied = implied(square, of);
     // Factor by which the mass is too large.
     let excess = USUAL * USUAL / square;
+    let soft = format!(
+        "the stiffness is some {} times too small (check the moduli and their unit)",
+        two_digits(excess)
+    );
     let is_unit = |known: f64| unit.is_none_or(|unit| (unit / known - 1.0).abs() < 1e-9);
     let fits = GRAVITY
         .iter()
@@ -305,12 +315,12 @@ fn slow_remark(square: f64, of: &str, unit: Option<f64>) -> Option<String> {
     let weights: Vec<_> = weights.collect();
     if weights.is_empty() {
         return Some(format!(
-            "{implied}, steel weighs 7850: the units of length, force and mass do not fit each \
+            "{implied}, steel weighs 7850: {soft}, or the units of length, force and mass do not fit each \
              other"
         ));
     }
     Some(format!(
-        "{implied}, steel weighs 7850: the mass looks like a weight {}; divide it by this factor, \
+        "{implied}, steel weighs 7850: {soft}, or the mass looks like a weight {}; divide it by this factor, \
          or declare the unit of mass that weighs one unit of force (lb for lbf)",
         weights.join(", or ")
     ))

@@ -12,8 +12,6 @@ use crate::keys;
 
 /// Description of the rows in the table.
 const PAIRS: &str = "rows of two numbers, as in [[3, 6.97], [11, 11.89]]";
-/// Number of wrong rows of a file that are listed.
-const SHOWN: usize = 10;
 
 keys! {
     /// A parameter by a table over another one: straight pieces between the rows, and an error
@@ -221,28 +219,40 @@ fn rows(text: &str, file: &str, columns: &Columns) -> Result<Vec<Row>, Diagnosti
     let counts = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     let lines: Vec<(usize, &str)> = lines.filter(|(_, line)| counts(line)).collect();
     let (indices, titles) = indices(&lines, file, columns)?;
+    let lines = &lines[titles.min(lines.len())..];
+    let mut columns = indices.to_vec();
+    columns.dedup();
     let mut problems = Diagnostics::new();
-    let mut rows = Vec::new();
-    let mut failed = 0;
-    for &(line, text) in lines.iter().skip(titles) {
-        let cells = cells(text);
-        let mut value = |column: usize| {
-            let found = number(&cells, column);
-            if found.is_none() && failed < SHOWN {
-                failed += 1;
-                let found = cells.get(column).map(|cell| format!("\"{cell}\""));
-                let found = found.unwrap_or_else(|| "absent".to_owned());
-                let column = format!("column {}", column + 1);
-                let problem = wrong(&column, found, "a number".to_owned());
-                problems.push(SourceLocation::line(file, line), &problem);
-            }
-            found
-        };
-        if let (Some(x), Some(y)) = (value(indices[0]), value(indices[1])) {
-            rows.push((line, [x, y]));
-        }
+    for column in columns {
+        no_numbers(lines, column, file, &mut problems);
     }
-    problems.into_result(rows)
+    let row = |&(line, text): &(usize, &str)| {
+        let cells = cells(text);
+        let [x, y] = indices.map(|column| number(&cells, column));
+        Some((line, [x?, y?]))
+    };
+    problems.into_result(lines.iter().filter_map(row).collect())
+}
+
+/// Notes the first of the lines without a number in a column, with the number of the others.
+fn no_numbers(lines: &[(usize, &str)], column: usize, file: &str, problems: &mut Diagnostics) {
+    let mut failed = lines
+        .iter()
+        .map(|(line, text)| (*line, cells(text)))
+        .filter(|(_, cells)| number(cells, column).is_none());
+    let Some((line, cells)) = failed.next() else {
+        return;
+    };
+    let found = cells.get(column).map(|cell| format!("\"{cell}\""));
+    let found = found.unwrap_or_else(|| "absent".to_owned());
+    let others = match failed.count() {
+        0 => String::new(),
+        1 => ", and no number in 1 more row".to_owned(),
+        others => format!(", and no number in {others} more rows"),
+    };
+    let column = format!("column {}", column + 1);
+    let problem = wrong(&column, found + &others, "a number".to_owned());
+    problems.push(SourceLocation::line(file, line), &problem);
 }
 
 #[cfg(test)]
@@ -313,13 +323,16 @@ mod tests {
             title.contains("a.csv:2: \"columns\" is \"speed\", expected one of"),
             "{title}"
         );
-        std::fs::write(folder.path().join("c.csv"), "3,1\n5,x\n5\n").unwrap();
+        // One message a column, with the number of its wrong rows.
+        std::fs::write(folder.path().join("c.csv"), "3,1\n5,x\n5\ny\n").unwrap();
         let cells = wrong("file = \"c.csv\"");
-        assert!(
-            cells.contains("c.csv:2: \"column 2\" is \"x\", expected a number"),
-            "{cells}"
-        );
-        assert!(cells.contains("c.csv:3: \"column 2\" is absent"), "{cells}");
+        for expected in [
+            "c.csv:4: \"column 1\" is \"y\", expected a number",
+            "c.csv:2: \"column 2\" is \"x\", and no number in 2 more rows, expected a number",
+        ] {
+            assert!(cells.contains(expected), "{cells}");
+        }
+        assert_eq!(cells.matches("c.csv:").count(), 2, "{cells}");
         std::fs::write(folder.path().join("d.csv"), "3,1\n5,2\n5,3\n").unwrap();
         let falls = wrong("file = \"d.csv\"");
         assert!(

@@ -21,6 +21,8 @@ pub enum Sample {
     None,
     /// A line.
     Line(Stroke),
+    /// A line with a mark of a size in its color \[figure pixels\].
+    Marked(Stroke, Mark, f64),
     /// A mark of a size \[figure pixels\].
     Mark(Mark, f64, Color),
 }
@@ -30,7 +32,7 @@ impl Sample {
     fn width(&self) -> f64 {
         match self {
             Self::None => 0.0,
-            Self::Line(_) => LINE + GAPS[0],
+            Self::Line(_) | Self::Marked(..) => LINE + GAPS[0],
             Self::Mark(..) => MARK + GAPS[0],
         }
     }
@@ -87,6 +89,10 @@ impl Legend {
             match sample {
                 Sample::None => {}
                 Sample::Line(stroke) => stroke.draw(drawing, &[[x, y], [x + LINE, y]]),
+                Sample::Marked(stroke, mark, size) => {
+                    stroke.draw(drawing, &[[x, y], [x + LINE, y]]);
+                    mark.draw(drawing, [x + 0.5 * LINE, y], *size, stroke.color);
+                }
                 Sample::Mark(mark, size, color) => {
                     mark.draw(drawing, [x + 0.5 * MARK, y], *size, *color);
                 }

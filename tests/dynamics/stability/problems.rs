@@ -1,5 +1,7 @@
 //! Wrong cards of `[stability]` are reported with their remedy.
 
+use beam_dynamics::case::Words;
+
 /// The problems of a mass on springs with these analyses.
 fn problems(analyses: &str) -> String {
     let text = format!(
@@ -27,10 +29,6 @@ fn wrong_cards_are_reported() {
             "\"kk\" is not one of the [parameters]\n  help: did you mean \"k\"?",
         ),
         (K.to_owned(), "the values of the sweep are given by nothing"),
-        (
-            format!("{MODES}[stability]\nparameter = \"k\"\nvalues = [1]\n"),
-            "\"values\" has 1 value, expected at least 2\n  help: add a value",
-        ),
         (
             format!("{MODES}[stability]\nparameter = \"k\"\nvalues = [1, 3, 2]\n"),
             "the values are 3 and then 2, expected values that all increase or all decrease\n  \
@@ -74,5 +72,36 @@ fn wrong_cards_are_reported() {
         let shown = problems(&analyses);
         assert!(shown.contains(expected), "{analyses}\n{shown}");
         assert!(shown.contains("model.dynamics.toml:"), "{shown}");
+    }
+}
+
+// A motion with a period needs no modes, but words for their names; eigenvalues about an equilibrium need their
+// speed.
+#[test]
+fn modes_of_a_period_may_have_words_alone() {
+    let text = |by: &str, keys: &str| {
+        format!(
+            "units = \"SI\"\n[parameters]\nk = 50\n[[node]]\nname = \"mass\"\nposition = [0, 0, 0]\n\
+             [[body]]\nname = \"mass\"\nnode = \"mass\"\nmass = 2\ninertia = [1, 1, 1]\n\
+             [[spring]]\nname = \"spring\"\nnode = \"mass\"\nstiffness = [\"= k\", 50, 50]\n\
+             rotational_stiffness = [1, 1, 1]\n[periodic]\nspeed = 30\n[modes]\n{keys}\
+             [stability]\nparameter = \"k\"\nby = \"{by}\"\n{VALUES}"
+        )
+    };
+    let read = |by: &str, keys: &str| {
+        beam_dynamics::input::parse(&text(by, keys), "model.dynamics.toml")
+            .map_err(|it| it.to_string())
+    };
+    for by in ["averaged", "Floquet"] {
+        let input = read(by, "words = \"wind\"\n").unwrap();
+        assert_eq!(input.words(), Words::Wind);
+        assert!(input.modes.is_none());
+    }
+    for (by, keys) in [
+        ("modes", "words = \"wind\"\n"),
+        ("averaged", "words = \"wind\"\ncount = 3\n"),
+    ] {
+        let shown = read(by, keys).unwrap_err();
+        assert!(shown.contains("[modes] has no \"speeds\""), "{shown}");
     }
 }

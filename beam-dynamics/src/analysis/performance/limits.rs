@@ -1,10 +1,13 @@
 //! Remarks on operating points beyond the airfoils: sections beyond the speed of sound, and Reynolds numbers
-//! beyond the tables, whose ends are then held.
+//! beyond the tables, whose ends are then held. Remarks on turbines that do not work as such: tip speed ratios
+//! that none has, and power that most points take.
 
 use rotor_aero::airfoil::Section;
 use rotor_aero::rotor::{Performance, RigidRotor};
 
+use crate::analysis::operation::RATIOS;
 use crate::analysis::steady::rpm;
+use crate::case::{Abscissa, MachineKind};
 use crate::input::short_number;
 
 /// Part of the radius at which the Reynolds number counts \[-\].
@@ -19,6 +22,8 @@ pub(super) struct Reached {
     mach: f64,
     /// Speed of rotation \[rad/s\].
     omega: f64,
+    /// Of a turbine the tip speed ratio, unless the table is over it \[-\], and whether it takes power.
+    turbine: Option<(f64, bool)>,
     /// Airfoils beyond whose tables the Reynolds number is.
     beyond: Vec<Beyond>,
 }
@@ -32,8 +37,12 @@ struct Beyond {
 }
 
 impl Reached {
-    /// Of a rotor at a point with its loads along the blades.
-    pub fn of(rotor: &RigidRotor<Section>, point: &Performance) -> Self {
+    /// Of a rotor at a point with its loads along the blades, of a table over a quantity.
+    pub fn of(
+        rotor: &RigidRotor<Section>,
+        point: &Performance,
+        (machine, abscissa): (MachineKind, Abscissa),
+    ) -> Self {
         let all = point.sectors.iter().flat_map(|sector| &sector.stations);
         let mach = all.map(|station| station.mach).fold(0.0, f64::max);
         let place = PLACE * point.disk_radius;
@@ -49,9 +58,11 @@ impl Reached {
         let beyond = load.zip(station).map_or_else(Vec::new, |(load, station)| {
             beyond(&station.section, load.reynolds)
         });
+        let is_turbine = machine == MachineKind::Turbine && abscissa != Abscissa::TipSpeedRatio;
         Self {
             mach,
             omega: point.operating.omega,
+            turbine: is_turbine.then(|| (point.turbine().tip_speed_ratio, point.power < 0.0)),
             beyond,
         }
     }
@@ -74,7 +85,8 @@ fn beyond(section: &Section, reynolds: f64) -> Vec<Beyond> {
 
 /// The remarks on all points.
 pub(super) fn remarks(all: &[Reached]) -> Vec<String> {
-    let mut remarks: Vec<String> = supersonic(all).into_iter().collect();
+    let found = [supersonic(all), implausible(all), taken(all)];
+    let mut remarks: Vec<String> = found.into_iter().flatten().collect();
     let mut names: Vec<&str> = Vec::new();
     for found in all.iter().flat_map(|point| &point.beyond) {
         if !names.contains(&found.airfoil.as_str()) {
@@ -96,6 +108,36 @@ fn supersonic(all: &[Reached]) -> Option<String> {
         short_number(fastest.mach, 3),
         rpm(fastest.omega)
     ))
+}
+
+/// Tip speed ratios that no turbine has.
+fn implausible(all: &[Reached]) -> Option<String> {
+    let ratios = all.iter().filter_map(|point| Some(point.turbine?.0));
+    let is_none = |ratio: &f64| ratio.is_finite() && !(RATIOS[0]..=RATIOS[1]).contains(ratio);
+    let mut found = ratios.filter(is_none);
+    let first = found.next()?;
+    Some(format!(
+        "at {} of {} points the tip speed ratio is none of a turbine, first {}, expected {} to {}: check the unit \
+         of the speed of rotation, which is rpm without a unit, the radius and the wind",
+        1 + found.count(),
+        all.len(),
+        short_number(first, 3),
+        RATIOS[0],
+        RATIOS[1]
+    ))
+}
+
+/// Turbines that take power at most points.
+fn taken(all: &[Reached]) -> Option<String> {
+    let turbines = all.iter().filter_map(|point| point.turbine);
+    let count = turbines.clone().count();
+    let taking = turbines.filter(|own| own.1).count();
+    (2 * taking > count).then(|| {
+        format!(
+            "at {taking} of {count} points the turbine takes power from its shaft: check the signs of pitch and twist, \
+             the speed of rotation and the wind"
+        )
+    })
 }
 
 /// The remark on the airfoil of `found`, with the Reynolds number farthest from its table.

@@ -27,6 +27,8 @@ const REAL: f64 = 1e-6;
 /// Part of the potential energy below which the kinetic energy of a root is the one of a motion that follows
 /// the air.
 const INERTIA: f64 = 0.25;
+/// Damping ratio of a mode without air that is round-off.
+const UNDAMPED: f64 = 1e-6;
 /// The name of roots of states of the air.
 const OF_AIR: &str = "aerodynamic";
 
@@ -187,13 +189,15 @@ fn ascend(mode_of: &mut [Option<usize>], roots: &[StabilityRoot], modes: &[Stabi
     }
 }
 
-/// Gives the name of a mode to a root, which keeps its own pattern, or none.
+/// Gives the name of a mode without air to a root, which keeps its own pattern, or none, and notes whether this
+/// mode is damped.
 fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
     root.name.clone_from(&mode.name);
     if root.pattern.is_none() {
         root.pattern.clone_from(&mode.pattern);
     }
     root.number = mode.number;
+    root.has_no_structural_damping = mode.growth().abs() <= UNDAMPED * size(mode);
 }
 
 /// Magnitude in the axes of the blades \[1/s\].

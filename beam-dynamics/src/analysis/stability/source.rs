@@ -7,20 +7,24 @@ use shared_geom::error::Diagnostics;
 
 use crate::analysis::averaged::{AveragedMode, averaged_modes, modes_without_air, possible};
 use crate::analysis::multiblade::pattern;
+use crate::analysis::operation::Operation;
 use crate::analysis::periodic::periodic_from;
+use crate::analysis::stall::air_at;
 use crate::analysis::trim::{Reader, Trimmed, fits, trim_at, unread};
 use crate::case::{FloquetSettings, StabilityMethod, StabilitySettings, TrimSettings, Words};
 use crate::input::{Input, short_number};
-use crate::model::State;
+use crate::model::{Conditions, State};
 use crate::result::{
     BoundaryKind, FloquetMode, FloquetTable, PeriodicResult, StabilityRoot, Whirl,
 };
 
 mod branches;
+mod left_out;
 mod of_modes;
 
 use super::names::{Vacuum, give_names, named};
 use branches::Branches;
+use left_out::LeftOut;
 
 /// Multipliers above this size are shown.
 const SHOWN: f64 = 0.9;
@@ -59,6 +63,9 @@ pub(super) struct Source<'a> {
     complete_to: Option<f64>,
     /// Whether modes in turning axes have patterns of two blades with two frequencies in the fixed frame.
     is_double: bool,
+    /// Operating points of the requested values.
+    operation: Operation,
+    left_out: LeftOut,
 }
 
 impl<'a> Source<'a> {
@@ -76,6 +83,8 @@ impl<'a> Source<'a> {
             count: settings.count.unwrap_or(COMPUTED[0]),
             complete_to: None,
             is_double: false,
+            operation: Operation::default(),
+            left_out: LeftOut::default(),
         }
     }
 
@@ -84,12 +93,40 @@ impl<'a> Source<'a> {
         self.is_double
     }
 
-    /// The bound of the search by averaged equations as a remark, if there is one.
-    pub fn remark(&self) -> Option<String> {
-        let hertz = short_number(self.complete_to? / TAU, 4);
-        Some(format!(
-            "the oscillations are complete up to {hertz} Hz: a larger \"count\" moves this bound"
-        ))
+    /// The remarks on operating points, on the bound of the search by averaged equations, and on roots that
+    /// the number of roots leaves out.
+    pub fn remarks(&self) -> Vec<String> {
+        let hertz = self.complete_to.map(|bound| short_number(bound / TAU, 4));
+        let bound = hertz.map(|hertz| {
+            format!(
+                "the oscillations are complete up to {hertz} Hz: a larger \"count\" moves this bound"
+            )
+        });
+        let left_out = self
+            .settings
+            .count
+            .and_then(|count| self.left_out.remark(count));
+        let other = bound.filter(|_| left_out.is_none()).into_iter();
+        let all = self.operation.remarks().into_iter();
+        all.chain(other).chain(left_out).collect()
+    }
+
+    /// Notes the operating point of a requested value.
+    fn note_operation(
+        &mut self,
+        at: f64,
+        (input, state): (&Input, &State),
+        conditions: &Conditions,
+    ) {
+        if self.is_requested(at) {
+            let air = air_at(&input.model.system, state, conditions);
+            let place = format!(
+                "{} = {}",
+                self.settings.sweep.parameter,
+                short_number(at, 6)
+            );
+            self.operation.add(&place, &air, input.words());
+        }
     }
 
     /// Values of the controls at a value that was evaluated.
@@ -108,10 +145,14 @@ impl<'a> Source<'a> {
         roots.sort_by(|a, b| b.growth().total_cmp(&a.growth()));
         if let Some(count) = self.settings.count {
             let mut sum = 0;
-            roots.retain(|root| {
+            let (kept, others): (Vec<_>, Vec<_>) = roots.into_iter().partition(|root| {
                 sum += root.kind.roots();
                 sum <= count.max(root.kind.roots())
             });
+            if self.settings.method != StabilityMethod::Floquet && self.is_requested(at) {
+                self.left_out.add(&kept, &others);
+            }
+            roots = kept;
         }
         Ok(roots)
     }
@@ -136,10 +177,9 @@ impl<'a> Source<'a> {
     /// The trimmed model at a value, its state and the controls.
     fn trimmed(&mut self, at: f64, trim: &TrimSettings) -> Result<(Input, Trimmed), Failed> {
         let requested = (self.multipliers(), self.is_requested(at));
-        let words = self.settings.words;
         let read = |given: &[(String, f64)]| -> Result<Input, Diagnostics> {
             let mut input = (self.read)(given)?;
-            analyze_period(&mut input, requested, words);
+            analyze_period(&mut input, requested);
             Ok(input)
         };
         let near = self.nearest(at);
@@ -195,11 +235,25 @@ impl<'a> Source<'a> {
                 || self.count >= COMPUTED[1]
                 || shows_all(&table, self.count);
             if is_complete {
+                self.note_period(at)?;
                 let vacuum = self.vacuum_of_period(at, table.modes.len())?;
                 return Ok(self.shown((&table, vacuum), period, self.counts_errors(at)?));
             }
             self.count = (2 * self.count).min(COMPUTED[1]);
         }
+    }
+
+    /// Notes the operating point of the periodic motion at a value.
+    fn note_period(&mut self, at: f64) -> Result<(), Failed> {
+        let known = self.known.iter().find(|known| known.at == at);
+        let Some(state) = known.map(|known| known.state.clone()) else {
+            return Ok(());
+        };
+        let input = self.input(at)?;
+        let from = input.periodic.as_ref().map_or(0.0, |own| own.start.from);
+        let conditions = input.model.conditions_at(from);
+        self.note_operation(at, (&input, &state), &conditions);
+        Ok(())
     }
 
     /// The averaged modes without air about the periodic motion at a value, and whether the air has states.
@@ -209,16 +263,10 @@ impl<'a> Source<'a> {
         let Some((settings, known)) = input.periodic.as_ref().zip(known) else {
             return Ok(None);
         };
-        let words = self.words(&input);
+        let words = input.words();
         let modes = modes_without_air(&input.model, settings, &known.state, (wanted, words));
         let has_states = !input.model.system.scalars().is_empty();
         Ok(modes.map(|modes| (averaged_roots(&modes, words), has_states)))
-    }
-
-    /// Words in the names of modes.
-    fn words(&self, input: &Input) -> Words {
-        let style = input.modes.as_ref().map(|own| own.style.words);
-        self.settings.words.or(style).unwrap_or_default()
     }
 
     /// By the averaged equations about the periodic motion.
@@ -232,9 +280,10 @@ impl<'a> Source<'a> {
         let known = self.known.iter().find(|known| known.at == at);
         let both = input.periodic.as_ref().zip(known);
         let (settings, known) = both.ok_or_else(|| nothing("there is no periodic motion"))?;
-        let words = self.words(&input);
+        let words = input.words();
         let wanted = COMPUTED[0].max(self.settings.count.unwrap_or(0));
         let found = averaged_modes(&input.model, settings, &known.state, (wanted, words))?;
+        self.note_period(at)?;
         let is_counted = self.settings.count.is_some();
         if let Some(last) = found.complete_to {
             let known = self.complete_to.unwrap_or(f64::INFINITY);
@@ -252,7 +301,7 @@ impl<'a> Source<'a> {
     fn periodic(&mut self, at: f64) -> Result<PeriodicResult, Failed> {
         let mut input = self.input(at)?;
         let requested = (self.multipliers(), self.is_requested(at));
-        analyze_period(&mut input, requested, self.settings.words);
+        analyze_period(&mut input, requested);
         let settings = input
             .periodic
             .as_ref()
@@ -312,13 +361,8 @@ impl<'a> Source<'a> {
 
 /// Requests `count` multipliers of the periodic motion, or none, with errors at requested values unless the
 /// file omits them.
-fn analyze_period(
-    input: &mut Input,
-    (count, is_requested): (Option<usize>, bool),
-    words: Option<Words>,
-) {
-    let style = input.modes.as_ref().map(|own| own.style.words);
-    let words = words.or(style).unwrap_or_default();
+fn analyze_period(input: &mut Input, (count, is_requested): (Option<usize>, bool)) {
+    let words = input.words();
     if let Some(settings) = &mut input.periodic {
         let own = settings.floquet.take();
         settings.floquet = count.map(|count| FloquetSettings {

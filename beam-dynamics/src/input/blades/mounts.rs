@@ -23,6 +23,7 @@ use super::problem::BladeProblem;
 use crate::input::builder::ModelBuilder;
 use crate::input::frames::IN;
 use crate::input::hub::Hub;
+use crate::input::number::short_number;
 use crate::input::problem::InputProblem;
 
 keys! {
@@ -49,6 +50,8 @@ keys! {
 
 /// Blades of one card: more are treated as an error.
 const MOST_BLADES: usize = 100;
+/// Radius of a hub over the length of its blades, above which it is likely one in millimeters.
+const MILLIMETERS: f64 = 20.0;
 /// Azimuths nearer than this are the same \[rad\].
 const SAME_AZIMUTH: f64 = 1e-6;
 
@@ -229,6 +232,22 @@ fn root_position(table: &Table<'_>, name: &str) -> Option<RootPosition> {
         (false, true) => table.get(&HUB_RADIUS).map(RootPosition::Radius),
         (false, false) => Some(RootPosition::Radius(0.0)),
     }
+}
+
+/// A remark on a hub whose radius is larger than the length of its blades \[m\], with the likely unit.
+pub(in crate::input) fn remark_on_hub(of: &str, radius: f64, length: f64) -> Option<String> {
+    let number = |value: f64| short_number(value, 6);
+    let unit = match radius > MILLIMETERS * length {
+        true => format!(", as in hub_radius = \"{} mm\"", number(radius)),
+        false => String::new(),
+    };
+    (radius > length).then(|| {
+        format!(
+            "{of}: \"hub_radius\" is {} m, more than the length of the blade, {} m: check the unit{unit}",
+            number(radius),
+            number(length)
+        )
+    })
 }
 
 /// An angle of less than a quarter turn; a line that turns back inward is an error.

@@ -17,6 +17,7 @@ use crate::case::{MachineKind, linear_between};
 use crate::input::aerodynamics::Airfoils;
 use crate::input::aerodynamics::family::{self, FAMILY};
 use crate::input::aerodynamics::rotor_delay::{self, BLADE_STALL_DELAY};
+use crate::input::blades::remark_on_hub;
 use crate::input::short_number;
 
 keys! {
@@ -317,6 +318,8 @@ fn radii(
             table.note("", &PerformanceProblem::Missing { key, example });
             return None;
         };
+        let length = blade.stations.last().map_or(0.0, |last| last.radius);
+        remarks.extend(remark_on_hub("[rotor]", hub, length));
         let move_out = |station: &mut Station<Section>| station.radius += hub;
         blade.stations.iter_mut().for_each(move_out);
     }

@@ -14,8 +14,8 @@ const BOUNDARIES: &str = "boundaries.csv";
 const TEXT: &str = "stability.txt";
 const PLOT: [&str; 2] = ["stability.png", "stability.svg"];
 
-/// Writes `NAME.stability.csv`, `NAME.boundaries.csv`, `NAME.stability.txt` and, of two values or more,
-/// the figure `NAME.stability.png` and `.svg`.
+/// Writes `NAME.stability.csv`, `NAME.boundaries.csv`, `NAME.stability.txt` and the figure
+/// `NAME.stability.png` and `.svg`.
 ///
 /// # Errors
 /// [`OutputProblem`]: the folder or a file cannot be made.

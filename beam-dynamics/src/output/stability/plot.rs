@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use shared_geom::figure::{
-    Axes, BLACK, Color, Drawing, Figure, Legend, Mark, Stroke, WIDTH, category, range,
-};
+use shared_geom::figure::{Axes, BLACK, Color, Drawing, Figure, Mark, Stroke, WIDTH, range};
 
+use super::looks::Looks;
 use crate::result::StabilityResult;
 
 /// Heights of the panels, the gaps between them, and the upper and lower margins \[figure pixels\].
@@ -13,16 +12,16 @@ const PANELS: [f64; 4] = [520.0, 520.0, 440.0, 640.0];
 const GAPS: [f64; 3] = [50.0, 50.0, 150.0];
 const TOP: f64 = 100.0;
 const BOTTOM: f64 = 130.0;
+/// Upper edge of the legends \[figure pixels\].
+const LEGEND: f64 = 78.0;
 /// Left and right edges \[figure pixels\].
 const LEFT: f64 = 230.0;
 const RIGHT: f64 = 50.0;
-const LINE: f64 = 4.0;
-const POINT: f64 = 6.0;
 const RING: f64 = 12.0;
 /// Lines of boundaries.
 const MARKED: Color = Color(120, 120, 120);
-/// Number of modes above which a legend does not help.
-const MOST_NAMES: usize = 21;
+/// Half the width of the axis of a single value, as a part of it.
+const ABOUT: f64 = 0.1;
 /// Damping up to which the panel of damping reaches if some modes have more than twice as much: lightly
 /// damped modes are the ones to be seen \[%\].
 const MOST_DAMPING: f64 = 10.0;
@@ -42,14 +41,14 @@ const CONTENT: [([usize; 2], &str); 4] = [
 pub struct StabilityPlot {
     title: String,
     across: String,
-    names: Vec<String>,
+    looks: Looks,
     curves: Vec<Curve>,
     /// Value, growth, frequency and damping of each boundary.
     boundaries: Curve,
 }
 
 impl StabilityPlot {
-    /// The roots of `result`; `None` for less than two values.
+    /// The roots of `result`; `None` without values.
     pub fn new(result: &StabilityResult) -> Option<Self> {
         let curve = |mode: usize| -> Curve {
             let points = result.points.iter();
@@ -68,10 +67,10 @@ impl StabilityPlot {
             roots.collect()
         };
         let boundaries = result.boundaries.iter();
-        (result.points.len() > 1).then(|| Self {
+        (!result.points.is_empty()).then(|| Self {
             title: format!("{}: stability over {}", result.name, result.parameter),
             across: result.parameter.clone(),
-            names: result.modes.clone(),
+            looks: Looks::new(&result.modes),
             curves: (0..result.modes.len()).map(curve).collect(),
             boundaries: boundaries
                 .map(|own| [own.at, own.growth, own.frequency / TAU, 0.0])
@@ -79,10 +78,13 @@ impl StabilityPlot {
         })
     }
 
-    fn legend(&self) -> Legend {
-        let shown = self.names.len() <= MOST_NAMES;
-        let names = self.names.iter().enumerate().filter(|_| shown);
-        Legend::of_lines(names.map(|(index, name)| (name.clone(), LINE, category(index))))
+    /// Height of the legends \[figure pixels\].
+    fn above(&self) -> f64 {
+        let legends = self.looks.legends();
+        legends
+            .iter()
+            .map(|legend| legend.height(Self::space()))
+            .sum()
     }
 
     fn space() -> f64 {
@@ -94,7 +96,7 @@ impl StabilityPlot {
         let [across, up] = CONTENT[panel].0;
         let before = PANELS.iter().zip(GAPS).take(panel);
         let above: f64 = before.map(|(height, gap)| height + gap).sum();
-        let top = TOP + self.legend().height(Self::space()) + above;
+        let top = TOP + self.above() + above;
         let values = |k: usize| self.curves.iter().flatten().map(move |point| point[k]);
         let x = match across {
             0 => {
@@ -102,21 +104,28 @@ impl StabilityPlot {
                 let ends = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| {
                     [low.min(at), high.max(at)]
                 });
-                if ends[0] < ends[1] { ends } else { [0.0, 1.0] }
+                let about = match ABOUT * ends[0].abs() {
+                    0.0 => 1.0,
+                    about => about,
+                };
+                match ends[0] < ends[1] {
+                    true => ends,
+                    false => [ends[0] - about, ends[0] + about],
+                }
             }
             _ => range(values(across).chain([0.0]), 0.0),
         };
-        let y = range(values(up).chain([0.0]), 0.0);
+        let most = values(up).fold(0.0, f64::max);
+        let is_cut = up == 3 && most > 2.0 * MOST_DAMPING;
+        let shown = |value: &f64| !is_cut || (-MOST_DAMPING..=MOST_DAMPING).contains(value);
+        let y = range(values(up).chain([0.0]).filter(shown), 0.0);
         Axes {
             left: LEFT,
             right: f64::from(WIDTH) - RIGHT,
             top,
             bottom: top + PANELS[panel],
             x,
-            y: match up {
-                3 if y[1] > 2.0 * MOST_DAMPING => [y[0].max(-MOST_DAMPING), MOST_DAMPING],
-                _ => y,
-            },
+            y: [y[0], if is_cut { MOST_DAMPING } else { y[1] }],
         }
     }
 
@@ -131,18 +140,18 @@ impl StabilityPlot {
             let ends = [[*at, axes.y[0]], [*at, axes.y[1]]];
             axes.curve(drawing, &ends, Stroke::new(2.0, MARKED).dashed(1));
         }
-        for (index, curve) in self.curves.iter().enumerate() {
-            let color = category(index);
+        for (look, index) in self.looks.in_order() {
+            let curve = &self.curves[index];
             for run in curve.split(|point| !point[up].is_finite()) {
                 let points: Vec<_> = run.iter().map(|point| [point[across], point[up]]).collect();
                 for pair in points.windows(2) {
                     if let Some(ends) = inside([pair[0], pair[1]], axes.y) {
-                        axes.curve(drawing, &ends, Stroke::new(LINE, color));
+                        axes.curve(drawing, &ends, look.stroke());
                     }
                 }
                 let is_inside = |point: &[f64; 2]| (axes.y[0]..=axes.y[1]).contains(&point[1]);
                 for point in points.into_iter().filter(is_inside) {
-                    drawing.disc(axes.position(point), POINT, color);
+                    look.draw_mark(drawing, axes.position(point));
                 }
             }
         }
@@ -155,14 +164,18 @@ impl StabilityPlot {
 
 impl Figure for StabilityPlot {
     fn size(&self) -> (u32, u32) {
-        let legend = self.legend().height(Self::space());
-        let height = TOP + legend + PANELS.iter().sum::<f64>() + GAPS.iter().sum::<f64>() + BOTTOM;
+        let height =
+            TOP + self.above() + PANELS.iter().sum::<f64>() + GAPS.iter().sum::<f64>() + BOTTOM;
         (WIDTH, height.ceil() as u32)
     }
 
     fn draw(&self, drawing: &mut Drawing) {
         drawing.title(&self.title, [40.0, 44.0]);
-        self.legend().draw(drawing, [LEFT, 78.0], Self::space());
+        let mut top = LEGEND;
+        for legend in self.looks.legends() {
+            legend.draw(drawing, [LEFT, top], Self::space());
+            top += legend.height(Self::space());
+        }
         let across = [None, None, Some(self.across.as_str()), Some("growth [1/s]")];
         for (panel, across) in across.into_iter().enumerate() {
             self.draw_panel(drawing, panel);
@@ -189,6 +202,49 @@ fn inside([a, b]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Option<[[f64; 2]; 2]>
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A plot of modes with these dampings \[%\] at some values.
+    fn plot(values: &[f64], dampings: &[f64]) -> StabilityPlot {
+        let curve = |damping: &f64| -> Curve {
+            let point = |at: &f64| [*at, -0.1, 1.0, *damping];
+            values.iter().map(point).collect()
+        };
+        let names: Vec<_> = (1..=dampings.len()).map(|k| format!("flap {k}")).collect();
+        StabilityPlot {
+            title: String::new(),
+            across: String::new(),
+            looks: Looks::new(&names),
+            curves: dampings.iter().map(curve).collect(),
+            boundaries: Vec::new(),
+        }
+    }
+
+    // Modes of 60 % are beyond the edge at 10 %. Below zero the panel has a margin of the shown values, 6 %
+    // of them, not of the whole range.
+    #[test]
+    fn the_panel_of_damping_has_the_range_of_shown_values() {
+        let [low, high] = plot(&[1.0, 2.0], &[-0.1, 4.0, 60.0]).axes(1).y;
+        assert!(
+            high == MOST_DAMPING && (-0.5..=-0.1).contains(&low),
+            "{low} {high}"
+        );
+        let [low, high] = plot(&[1.0, 2.0], &[0.5, 12.0]).axes(1).y;
+        assert!(high > 12.0 && (-1.0..=0.0).contains(&low), "{low} {high}");
+    }
+
+    // The points of one value are in the middle.
+    #[test]
+    fn one_value_has_points() {
+        for at in [0.0, -4.0, 11.0] {
+            let plot = plot(&[at], &[1.0, 2.0]);
+            let axes = plot.axes(0);
+            let x = axes.position([at, 0.0])[0];
+            assert!((x - 0.5 * (axes.left + axes.right)).abs() < 1e-9, "{x}");
+            let mut drawing = Drawing::new(plot.size());
+            plot.draw(&mut drawing);
+            assert!(drawing.texts().any(|text| text == "flap 2"));
+        }
+    }
 
     #[test]
     fn pieces_end_at_the_edges_of_a_panel() {

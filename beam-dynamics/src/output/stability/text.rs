@@ -34,24 +34,43 @@ pub fn stability_text(result: &StabilityResult) -> String {
     let mut rows = vec![heading.into_iter().map(str::to_owned).collect::<Vec<_>>()];
     rows[0][0].clone_from(parameter);
     for point in result.points.iter().filter(|point| point.is_requested) {
-        let mut counted = point.roots.iter().zip(&point.modes);
-        let worst = counted.find(|(root, _)| !root.is_neutral);
-        let mut row = vec![
-            short_number(point.at, DIGITS[0]),
-            point.unstable().to_string(),
-        ];
-        if let Some((root, mode)) = worst {
+        let mut row = vec![short_number(point.at, DIGITS[0]), unstable(point)];
+        if let Some((root, mode)) = point.least_damped() {
             row.extend(numbers(root, has_errors));
-            row.push(named(root, &result.modes[*mode]));
+            row.push(named(root, &result.modes[mode]));
         }
         rows.push(row);
     }
     text.push_str(&aligned(&rows));
+    text.push_str(&of_slight(result));
     let points = result.points.iter();
     let found = points.filter(|point| point.is_requested).count();
     let requested = result.requested;
     let added = result.points.len() - found;
     text + &format!("{found} of {requested} values were analyzed, and {added} between them\n")
+}
+
+/// The number of unstable roots, and how many of them are slight.
+fn unstable(point: &StabilityPoint) -> String {
+    let slight = point.roots.iter().filter(|root| root.is_slight());
+    match slight.map(StabilityRoot::unstable).sum() {
+        0 => point.unstable().to_string(),
+        slight => format!("{} ({slight} *)", point.unstable()),
+    }
+}
+
+/// The meaning of slight roots, if there are some.
+fn of_slight(result: &StabilityResult) -> String {
+    let requested = result.points.iter().filter(|point| point.is_requested);
+    let mut roots = requested.flat_map(|point| &point.roots);
+    if !roots.any(StabilityRoot::is_slight) {
+        return String::new();
+    }
+    format!(
+        "* the motion has no structural damping, and the air feeds it with less than {} % of the critical \
+         damping: with the structural damping of a real blade it may decay (\"damping\" of the sections)\n",
+        100.0 * StabilityRoot::SLIGHT
+    )
 }
 
 /// Growth, perhaps its error, and frequency.
@@ -80,6 +99,9 @@ fn has_errors(result: &StabilityResult) -> bool {
 }
 
 fn boundaries(result: &StabilityResult) -> String {
+    if result.requested < 2 {
+        return "\nOne value has no boundaries\n".to_owned();
+    }
     if result.boundaries.is_empty() {
         return "\nNo boundary was found\n".to_owned();
     }
@@ -169,4 +191,70 @@ pub(super) fn roots_text(result: &StabilityResult) -> String {
         }
     }
     format!("\nAll roots\n{}", aligned(&rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Complex;
+
+    use super::*;
+
+    /// A result at one value with roots by falling growth and their modes.
+    fn result(roots: Vec<StabilityRoot>, modes: Vec<usize>) -> StabilityResult {
+        StabilityResult {
+            name: "rotor".to_owned(),
+            method: "eigenvalues",
+            parameter: "wind".to_owned(),
+            requested: 1,
+            controls: Vec::new(),
+            modes: ["axial 1", "edge 1", "flap 1"].map(str::to_owned).to_vec(),
+            points: vec![StabilityPoint {
+                at: 8.0,
+                is_requested: true,
+                roots,
+                modes,
+                controls: Vec::new(),
+            }],
+            boundaries: Vec::new(),
+            failures: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+
+    fn root(growth: f64, frequency: f64) -> StabilityRoot {
+        StabilityRoot::new(Complex::new(growth, frequency))
+    }
+
+    // Growths that differ by 1e-9 of the roots are one; a difference of 1e-3 is none of round-off.
+    #[test]
+    fn the_first_of_equal_roots_is_the_least_damped_one() {
+        for (second, expected) in [(-0.1 - 1e-8, "edge 1"), (-0.11, "flap 1")] {
+            let roots = vec![root(-0.1, 12.0), root(second, 11.0), root(-5.0, 60.0)];
+            let text = stability_text(&result(roots, vec![2, 1, 0]));
+            let row = text.lines().find(|line| line.starts_with("8 ")).unwrap();
+            assert!(row.ends_with(expected), "{text}");
+            assert!(text.contains("One value has no boundaries"), "{text}");
+        }
+    }
+
+    // 0.1 % of the critical damping without structural damping is slight, with it or with 2 % it is not.
+    #[test]
+    fn slight_growth_without_structural_damping_is_marked() {
+        let at = |growth: f64, has_none: bool| StabilityRoot {
+            has_no_structural_damping: has_none,
+            ..root(growth, 60.0)
+        };
+        for (growth, has_none, expected) in [
+            (0.06, true, "2 (2 *)"),
+            (0.06, false, "2  "),
+            (1.2, true, "2  "),
+            (-0.06, true, "0  "),
+        ] {
+            let text = stability_text(&result(vec![at(growth, has_none)], vec![0]));
+            let row = text.lines().find(|line| line.starts_with("8 ")).unwrap();
+            assert!(row.contains(expected), "{expected}: {text}");
+            let is_explained = text.contains("less than 0.5 % of the critical damping");
+            assert_eq!(is_explained, expected.contains('*'), "{text}");
+        }
+    }
 }

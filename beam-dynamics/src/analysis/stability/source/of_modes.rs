@@ -27,6 +27,7 @@ impl Source<'_> {
             self.complete_from_nearest(at);
         }
         let (input, steady) = self.about(at)?;
+        self.note_operation(at, (&input, &steady.state), &steady.conditions);
         self.is_double |= input.model.around_the_axis(true).len() == 2;
         let found = self.branches.at(at);
         let found = found.ok_or_else(|| nothing("there are no modes"))?;
@@ -111,8 +112,7 @@ impl Source<'_> {
     fn roots_of(&self, input: &Input, steady: &Equilibrium, found: &Found) -> Vec<StabilityRoot> {
         let model = &input.model;
         let speed = speed(input);
-        let style = input.modes.as_ref().map(|own| own.style.words);
-        let words = self.settings.words.or(style).unwrap_or_default();
+        let words = input.words();
         let rotor = rotor(model, speed > 0.0);
         let linearized = Linearized::new(model, steady);
         let motions = |pairs: &[Eigenpair], number: fn(&Eigenpair) -> f64| {
