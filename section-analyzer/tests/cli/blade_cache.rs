@@ -85,3 +85,50 @@ fn a_changed_number_is_a_changed_section() {
         assert!(run.out.contains("1 solved"), "{i} {line}: {}", run.out);
     }
 }
+
+/// A change of strengths solves no section again: results name the new input, and have the same bytes as
+/// without earlier results, report and record too. A change of stiffness beside it does solve.
+#[test]
+fn changed_strengths_solve_no_section_again() {
+    let workplace = Workplace::new();
+    let isotropic = |strength: f64| {
+        let limits = format!("strength = {{ tension = {strength}, compression = 30, shear = 20 }}");
+        LAYUP.replace("young = 16\n", &format!("young = 16\n{limits}\n"))
+    };
+    let in_folder = |text: &str, folder: &str| {
+        workplace.write("a.layup.toml", text);
+        let command = ["blade", "a.layup.toml", "--out", folder, "--no-figures"];
+        let run = workplace.run(&[&command[..], &["--stations", "0.7,0.72"]].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        run.out
+    };
+    // from none to some, other ones, and none again
+    let texts = [LAYUP.to_owned(), isotropic(20.0), isotropic(25.0)];
+    assert!(in_folder(&texts[0], "b").contains("2 solved"));
+    for (i, text) in [&texts[1], &texts[2], &texts[0]].into_iter().enumerate() {
+        let out = in_folder(text, "b");
+        assert!(out.contains("2 sections: 2 renewed"), "{i}: {out}");
+        assert!(in_folder(text, "b").contains("2 sections: 2 unchanged"));
+        let new = format!("new{i}");
+        assert!(in_folder(text, &new).contains("2 solved"));
+        for ending in [
+            "section.toml",
+            "properties.json",
+            "report.txt",
+            "analysis.json",
+            "warping.vtu",
+        ] {
+            let of = |folder: &str| {
+                let text = workplace.read(&format!("{folder}/sections/eta_0.7000.{ending}"));
+                text.replace(folder, "")
+            };
+            assert!(of("b") == of(&new), "{i} {ending}");
+        }
+        for file in ["a.span.csv", "a.blade.json"] {
+            let of = |folder: &str| workplace.read(&format!("{folder}/{file}"));
+            assert!(of("b") == of(&new), "{i} {file}");
+        }
+    }
+    let stiffer = texts[2].replace("young = 16", "young = 17");
+    assert!(in_folder(&stiffer, "b").contains("2 solved"));
+}
