@@ -252,10 +252,15 @@ fn likely_modulus(modulus: f64, density: f64) -> Option<String> {
         .iter()
         .find(|(_, factor)| is_usual(modulus * factor, density));
     if let Some((unit, _)) = forgotten {
-        return Some(format!(
-            "{} {unit} would be usual",
-            tick_label(modulus, 0.0)
-        ));
+        let written = tick_label(modulus, 0.0);
+        let larger = Some(1e3 * modulus).filter(|larger| is_usual(*larger, density));
+        return Some(match larger.filter(|_| *unit == "psi") {
+            Some(larger) => format!(
+                "{} Pa, a number in GPa that is read as MPa, or {written} psi would be usual",
+                tick_label(larger, 0.0)
+            ),
+            None => format!("{written} {unit} would be usual"),
+        });
     }
     let twice = MODULI
         .iter()
@@ -387,6 +392,23 @@ mod tests {
         ply.law = ElasticLaw::Orthotropic(soft);
         let shown = unlikely(&ply).unwrap().to_string();
         assert!(shown.contains("MPa would be usual"), "{shown}");
+    }
+
+    /// A ply of glass in MPa, read from a number in GPa: 147 m/s.
+    #[test]
+    fn plies_a_thousand_times_too_soft_are_remarked() {
+        let mut ply = isotropic(1.0, 1950.0);
+        let [e1, e2] = [42e6, 11e6];
+        ply.law = ElasticLaw::Orthotropic(crate::material::EngineeringConstants {
+            e1,
+            e2,
+            e3: e2,
+            ..crate::section::samples::CARBON
+        });
+        let shown = unlikely(&ply).unwrap().to_string();
+        let expected =
+            "4.2e10 Pa, a number in GPa that is read as MPa, or 4.2e7 psi would be usual";
+        assert!(shown.contains(expected), "{shown}");
     }
 
     fn size_remark(lengths: [f64; 2], has_walls: bool, unit: (&str, f64)) -> String {

@@ -11,7 +11,7 @@ use super::wall::Wall;
 /// Samples of the integral along the contour.
 const SAMPLES: usize = 2000;
 /// Distance of the first and last columns from a corner, in samples.
-const INSIDE: f64 = 1e-6;
+const INSIDE: f64 = 1e-8;
 
 /// Areas of the layers, of the plies of webs, and of fills.
 pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
