@@ -13,12 +13,16 @@ mod many;
 mod mesh_error;
 mod one;
 mod open;
+mod outcome;
 mod overlap;
 mod progress;
+mod renewed;
 mod sensitivity;
 
 pub(super) use many::solve_all;
-pub(super) use one::{Analyzed, Outcome, Status, analyze_one, made_from};
+pub(super) use one::{Analyzed, analyze_one};
+pub(super) use outcome::{Outcome, Status};
+pub(super) use renewed::made_from;
 
 /// Identifies this program by its version and the id of its build, since two builds of
 /// one version may differ.

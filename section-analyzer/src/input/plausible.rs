@@ -15,8 +15,8 @@ use crate::material::{ElasticLaw, Material};
 /// 9.5 m/s, steel of 210000 Pa (MPa forgotten) 5.2 [m/s].
 const SLOW: f64 = 8.0;
 /// The same for materials with directions, which are not as soft in their stiffest one:
-/// the softest honeycombs have 300 m/s, carbon plies of 500000 Pa 17 [m/s].
-const SLOW_ANISOTROPIC: f64 = 30.0;
+/// the softest honeycombs have 300 m/s, plies of glass of 42 MPa (GPa forgotten) 147 [m/s].
+const SLOW_ANISOTROPIC: f64 = 200.0;
 /// Speed of sound above which a material is suspect: carbon fibers have at most 20 km/s
 /// [m/s].
 const FAST: f64 = 25_000.0;
@@ -252,10 +252,15 @@ fn likely_modulus(modulus: f64, density: f64) -> Option<String> {
         .iter()
         .find(|(_, factor)| is_usual(modulus * factor, density));
     if let Some((unit, _)) = forgotten {
-        return Some(format!(
-            "{} {unit} would be usual",
-            tick_label(modulus, 0.0)
-        ));
+        let written = tick_label(modulus, 0.0);
+        let larger = Some(1e3 * modulus).filter(|larger| is_usual(*larger, density));
+        return Some(match larger.filter(|_| *unit == "psi") {
+            Some(larger) => format!(
+                "{} Pa, a number in GPa that is read as MPa, or {written} psi would be usual",
+                tick_label(larger, 0.0)
+            ),
+            None => format!("{written} {unit} would be usual"),
+        });
     }
     let twice = MODULI
         .iter()
@@ -387,6 +392,23 @@ mod tests {
         ply.law = ElasticLaw::Orthotropic(soft);
         let shown = unlikely(&ply).unwrap().to_string();
         assert!(shown.contains("MPa would be usual"), "{shown}");
+    }
+
+    /// A ply of glass in MPa, read from a number in GPa: 147 m/s.
+    #[test]
+    fn plies_a_thousand_times_too_soft_are_remarked() {
+        let mut ply = isotropic(1.0, 1950.0);
+        let [e1, e2] = [42e6, 11e6];
+        ply.law = ElasticLaw::Orthotropic(crate::material::EngineeringConstants {
+            e1,
+            e2,
+            e3: e2,
+            ..crate::section::samples::CARBON
+        });
+        let shown = unlikely(&ply).unwrap().to_string();
+        let expected =
+            "4.2e10 Pa, a number in GPa that is read as MPa, or 4.2e7 psi would be usual";
+        assert!(shown.contains(expected), "{shown}");
     }
 
     fn size_remark(lengths: [f64; 2], has_walls: bool, unit: (&str, f64)) -> String {

@@ -17,6 +17,8 @@ const SYMMETRY_TOLERANCE: f64 = 1e-6;
 /// Smallest eigenvalue of a full stiffness relative to its largest entry; below it, the
 /// strain energy is zero within the accuracy of a factorization.
 const DEFINITENESS_TOLERANCE: f64 = 1e-12;
+/// Bound of a ratio below which the moduli differ by more than in any material, ten thousand times [-].
+const FAR: f64 = 1e-2;
 
 /// Reasons for which a material cannot exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -101,6 +103,17 @@ pub enum MaterialProblem {
 impl Explain for MaterialProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
+            Self::PoissonTooLarge {
+                along,
+                across,
+                bound,
+                ..
+            } if *bound < FAR => {
+                return Some(format!(
+                    "{along} is {:.1e} of {across}: one of them may be in another unit",
+                    bound * bound
+                ));
+            }
             Self::PoissonTooLarge { .. } => {
                 "nu_ij is -strain_j / strain_i under a stress along i alone; nu_ji = nu_ij E_j / \
                  E_i may have been given instead"

@@ -23,6 +23,8 @@ pub struct LayerRow {
     pub meshed: f64,
     /// The part of its area that is cut where both sides meet \[m^2\].
     pub cut: f64,
+    /// The area that it has in addition where it fills the space between both sides \[m^2\].
+    pub filled: f64,
 }
 
 /// The layers of a meshed section, then the plies of its webs, then its fills.
@@ -46,6 +48,7 @@ pub fn layer_rows(layup: &Layup, meshed: &LayupMesh) -> Vec<LayerRow> {
         nominal: area.nominal,
         meshed: area.meshed,
         cut: area.cut,
+        filled: area.filled,
     });
     rows.collect()
 }

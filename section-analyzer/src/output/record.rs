@@ -11,7 +11,7 @@ use super::files::OutputFiles;
 
 const FORMAT: &str = "helicoid analysis record";
 /// Version of the record; a record of another version is ignored.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
 /// Fingerprints of the input and the result files of a successful analysis.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,6 +21,8 @@ pub struct AnalysisRecord {
     version: u64,
     /// Fingerprint of the inputs, the options and the program.
     made_from: String,
+    /// The same without the strengths of materials, if no result depends on them.
+    without_strengths: Option<String>,
     files: Vec<RecordedFile>,
 }
 
@@ -41,8 +43,8 @@ impl AnalysisRecord {
         (record.format == FORMAT && record.version == VERSION).then_some(record)
     }
 
-    /// Writes the record of an analysis whose input has the fingerprint `made_from`, with
-    /// the current content of the files `names`.
+    /// Writes the record of an analysis whose input has the fingerprint `made_from`, and another one
+    /// `without_strengths` if no result depends on them, with the current content of the files `names`.
     ///
     /// # Errors
     /// [`OutputProblem::File`]: a file of `names` cannot be read any more, or the record
@@ -50,6 +52,7 @@ impl AnalysisRecord {
     pub fn write(
         files: &OutputFiles,
         made_from: &str,
+        without_strengths: Option<String>,
         names: &[String],
     ) -> Result<(), OutputProblem> {
         let recorded = names.iter().map(|name| {
@@ -64,6 +67,7 @@ impl AnalysisRecord {
             format: FORMAT.to_owned(),
             version: VERSION,
             made_from: made_from.to_owned(),
+            without_strengths,
             files: recorded.collect::<Result<_, OutputProblem>>()?,
         };
         // strings and lists of strings always have a JSON form
@@ -74,11 +78,23 @@ impl AnalysisRecord {
     /// Whether a run whose input has the fingerprint `made_from` would write the existing
     /// files: none is missing and none has been changed.
     pub fn holds(&self, files: &OutputFiles, made_from: &str) -> bool {
+        self.made_from == made_from && self.is_intact(files)
+    }
+
+    /// Whether the existing files are of an input that differs from the present one in the strengths of
+    /// materials alone, on which none of them depends; its fingerprint without strengths is
+    /// `without_strengths`.
+    pub fn holds_but_for_strengths(&self, files: &OutputFiles, without_strengths: &str) -> bool {
+        self.without_strengths.as_deref() == Some(without_strengths) && self.is_intact(files)
+    }
+
+    /// Whether no file is missing and none has been changed.
+    fn is_intact(&self, files: &OutputFiles) -> bool {
         let is_intact = |file: &RecordedFile| {
             belongs(files, &file.name)
                 && content_of(files, &file.name).is_some_and(|content| content == file.content)
         };
-        self.made_from == made_from && self.files.iter().all(is_intact)
+        self.files.iter().all(is_intact)
     }
 
     /// Names of the recorded files of this section, in the order of writing.
@@ -115,12 +131,16 @@ mod tests {
         let files = files(folder.path());
         assert_eq!(AnalysisRecord::read(&files), None);
         write_text(&files.report(), "one").unwrap();
-        AnalysisRecord::write(&files, "x", &["a.report.txt".to_owned()]).unwrap();
+        let names = ["a.report.txt".to_owned()];
+        AnalysisRecord::write(&files, "x", Some("z".to_owned()), &names).unwrap();
         let record = AnalysisRecord::read(&files).unwrap();
         assert!(record.holds(&files, "x"));
         assert!(!record.holds(&files, "y"));
+        assert!(record.holds_but_for_strengths(&files, "z"));
+        assert!(!record.holds_but_for_strengths(&files, "x"));
         write_text(&files.report(), "two").unwrap();
         assert!(!record.holds(&files, "x"));
+        assert!(!record.holds_but_for_strengths(&files, "z"));
         std::fs::remove_file(files.report()).unwrap();
         assert!(!record.holds(&files, "x"));
     }
@@ -132,15 +152,15 @@ mod tests {
         let text = |version: u64, name: &str| {
             format!(
                 "{{\"format\": \"{FORMAT}\", \"version\": {version}, \"made_from\": \"x\", \
-                 \"files\": [{{\"name\": \"{name}\", \"content\": \"\"}}]}}"
+                 \"without_strengths\": null, \"files\": [{{\"name\": \"{name}\", \"content\": \"\"}}]}}"
             )
         };
-        for (version, name) in [(2, "a.report.txt"), (1, "a.report.txt\"")] {
+        for (version, name) in [(1, "a.report.txt"), (2, "a.report.txt\"")] {
             write_text(&files.record(), &text(version, name)).unwrap();
             assert_eq!(AnalysisRecord::read(&files), None);
         }
         for name in ["../a.report.txt", "b.report.txt", "a", "a.x/../../b", ""] {
-            write_text(&files.record(), &text(1, name)).unwrap();
+            write_text(&files.record(), &text(2, name)).unwrap();
             let record = AnalysisRecord::read(&files).unwrap();
             assert!(!record.holds(&files, "x"), "{name}");
             assert!(record.names(&files).is_empty(), "{name}");
@@ -151,7 +171,7 @@ mod tests {
     fn a_file_that_has_gone_cannot_be_recorded() {
         let folder = tempfile::tempdir().unwrap();
         let files = files(folder.path());
-        let problem = AnalysisRecord::write(&files, "x", &["a.report.txt".to_owned()]);
+        let problem = AnalysisRecord::write(&files, "x", None, &["a.report.txt".to_owned()]);
         let shown = problem.unwrap_err().to_string();
         assert!(
             shown.ends_with("written: it cannot be read any more"),

@@ -120,10 +120,14 @@ impl ResultWriter {
 
     /// Ends a successful analysis: writes its record; returns all files written, and the reason
     /// if the record could not be written. `made_from` is the fingerprint of inputs, options
-    /// and program.
-    pub fn finish(mut self, made_from: &str) -> (Vec<PathBuf>, Option<OutputProblem>) {
+    /// and program, `without_strengths` the one without strengths of materials, if no result depends on them.
+    pub fn finish(
+        mut self,
+        made_from: &str,
+        without_strengths: Option<String>,
+    ) -> (Vec<PathBuf>, Option<OutputProblem>) {
         self.remove_earlier();
-        match AnalysisRecord::write(&self.files, made_from, &self.names()) {
+        match AnalysisRecord::write(&self.files, made_from, without_strengths, &self.names()) {
             Ok(()) => {
                 self.written.push(self.files.record());
                 (self.written, None)
@@ -172,7 +176,7 @@ mod tests {
         let mut first = writer();
         first.text(at("a.report.txt"), "one").unwrap();
         first.text(at("a.tip.vtu"), "one").unwrap();
-        let (written, problem) = first.finish("x");
+        let (written, problem) = first.finish("x", None);
         assert_eq!(problem, None);
         assert_eq!(written.last(), Some(&at("a.analysis.json")));
         write_text(&at("a.notes.txt"), "by hand").unwrap();

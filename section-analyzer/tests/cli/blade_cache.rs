@@ -85,3 +85,49 @@ fn a_changed_number_is_a_changed_section() {
         assert!(run.out.contains("1 solved"), "{i} {line}: {}", run.out);
     }
 }
+
+/// A change of strengths solves no section again: results name the new input, and have the same bytes as
+/// solved ones, report and record too. A change of stiffness beside it does solve.
+#[test]
+fn changed_strengths_solve_no_section_again() {
+    let workplace = Workplace::new();
+    let isotropic = |strength: f64| {
+        let limits = format!("strength = {{ tension = {strength}, compression = 30, shear = 20 }}");
+        LAYUP.replace("young = 16\n", &format!("young = 16\n{limits}\n"))
+    };
+    let blade = |text: &str, more: &[&str]| {
+        workplace.write("a.layup.toml", text);
+        let command = ["blade", "a.layup.toml", "--out", "b", "--no-figures"];
+        let stations = ["--stations", "0.7,0.72"];
+        let run = workplace.run(&[&command[..], &stations, more].concat());
+        assert_eq!((run.code, run.err.as_str()), (0, ""));
+        run.out
+    };
+    // from none to some, other ones, and none again
+    let texts = [LAYUP.to_owned(), isotropic(20.0), isotropic(25.0)];
+    assert!(blade(&texts[0], &[]).contains("2 solved"));
+    for (i, text) in [&texts[1], &texts[2], &texts[0]].into_iter().enumerate() {
+        let out = blade(text, &[]);
+        assert!(out.contains("2 sections: 2 renewed"), "{i}: {out}");
+        assert!(blade(text, &[]).contains("2 sections: 2 unchanged"));
+        let sections = [
+            "properties.json",
+            "report.txt",
+            "analysis.json",
+            "warping.vtu",
+        ];
+        let sections = sections.map(|ending| format!("b/sections/eta_0.7000.{ending}"));
+        let of_blade = ["b/a.span.csv", "b/a.blade.json"].map(str::to_owned);
+        let files = [&sections[..], &of_blade].concat();
+        let read = || files.iter().map(|file| workplace.read(file));
+        let renewed: Vec<String> = read().collect();
+        assert!(blade(text, &["--force"]).contains("2 solved"));
+        for ((file, renewed), solved) in files.iter().zip(&renewed).zip(read()) {
+            assert!(*renewed == solved, "{i} {file}");
+        }
+        let section = workplace.read("b/sections/eta_0.7000.section.toml");
+        assert_eq!(section.contains("strength"), i < 2, "{i}");
+    }
+    let stiffer = texts[2].replace("young = 16", "young = 17");
+    assert!(blade(&stiffer, &[]).contains("2 solved"));
+}

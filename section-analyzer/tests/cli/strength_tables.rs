@@ -279,6 +279,18 @@ fn sections_belong_to_their_table() {
     assert_eq!(warnings(&run), [expected]);
 }
 
+/// A layup in the place of the table that `blade` makes of it.
+#[test]
+fn a_layup_is_no_table_of_stations() {
+    let workplace = Workplace::new();
+    workplace.write("a.layup.toml", LAYUP);
+    workplace.write("l.csv", "eta,axial\n0,1\n1,1\n");
+    let run = workplace.run(&["strength", "a.layup.toml", "--loads", "l.csv"]);
+    let expected = "error: a.layup.toml: this is a layup, expected a table with named columns\n  help: name the \
+                    table NAME.span.csv that \"section-analyzer blade\" wrote\n";
+    assert_eq!((run.code, run.err.as_str()), (2, expected));
+}
+
 /// The layer "tip" is there between eta 0.6 and 0.75 only.
 #[test]
 fn layers_between_stations_are_reported() {

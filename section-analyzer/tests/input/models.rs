@@ -351,6 +351,45 @@ fn models_of_becas_are_meshes_of_section_files() {
     );
 }
 
+/// A model with an element whose nodes go around the other way is converted, and a remark names the element: its section
+/// cannot be analyzed. Without it there is no remark.
+#[test]
+fn an_inverted_element_of_a_model_is_a_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let becas = folder.path().join("becas");
+    std::fs::create_dir(&becas).unwrap();
+    square(&becas, "480 120 120 60 50 60 0.19 0.26 0.19 1\n", |_| {
+        "1 0 0".to_owned()
+    });
+    let convert = |name: &str| {
+        let file = folder.path().join(name);
+        let words = ["convert".into(), becas.clone().into(), file.clone().into()];
+        (run(&words.each_ref()), file)
+    };
+    let ((code, out, err), _) = convert("good.section.toml");
+    assert_eq!(
+        (code, err.as_str(), out.contains("remark")),
+        (0, "", false),
+        "{out}"
+    );
+    let elements = becas.join("E2D.in");
+    let text = std::fs::read_to_string(&elements).unwrap();
+    let (good, inverted) = ("\n23 25 26 37 36\n", "\n23 25 36 37 26\n");
+    assert!(text.contains(good));
+    std::fs::write(&elements, text.replace(good, inverted)).unwrap();
+    let ((code, out, err), file) = convert("bad.section.toml");
+    let shown = out + &err;
+    assert_eq!(code, 0, "{shown}");
+    assert!(
+        shown.contains("the section cannot be analyzed: cell 23"),
+        "{shown}"
+    );
+    let problems = input::read(&file)
+        .expect_err("an inverted cell")
+        .to_string();
+    assert!(problems.contains("cell 23"), "{problems}");
+}
+
 /// Sections S2 and S3 of the users' guide of BECAS, on its meshes of 10 x 10 elements with 4
 /// nodes: the published digits. Rows in BECAS' order: shear x, shear y, axial, bending x,
 /// bending y, torsion; the fiber of S3 is along the beam, and across it along x.

@@ -8,7 +8,8 @@ pub fn large(areas: &[LayerArea]) -> impl Iterator<Item = &LayerArea> {
     areas.iter().filter(move |area| area.meshed > 0.01 * total)
 }
 
-/// Difference of a meshed area from the one of the layer, without the part that contacts cut, as a part of it.
+/// Difference of a meshed area from the one of the layer, without the part that contacts cut and with the space that
+/// it fills between both sides, as a part of it.
 pub fn error(area: &LayerArea) -> f64 {
-    area.meshed / (area.nominal - area.cut) - 1.0
+    area.meshed / (area.nominal - area.cut + area.filled) - 1.0
 }

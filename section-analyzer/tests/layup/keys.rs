@@ -53,7 +53,7 @@ ply_thickness = \"1 mm\"
 
 fn parse(text: &str) -> Result<Layup, String> {
     let folder = tempfile::tempdir().expect("a folder");
-    let table = "span [m],tape [mm]\n0,1\n10,2\n40,3\n";
+    let table = "span [m],tape [mm],strip [mm],bare\n0,1,1,1 mm\n10,2,2 mm,2\n40,3,3,3\n";
     std::fs::write(folder.path().join("t.csv"), table).expect("a table");
     layup::parse(text, &folder.path().join("a.layup.toml")).map_err(|problems| problems.to_string())
 }
@@ -299,6 +299,27 @@ const WRONG: &[(&str, &str, &str)] = &[
         "did you mean \"tape\"?",
     ),
     ("\"t.csv\"", "\"u.csv\"", "u.csv"),
+    // beside numbers of its column, and in a column without a unit in its heading
+    (
+        "column = \"tape\"",
+        "column = \"strip\"",
+        "2 mm\", expected a number (named by \"file\" of [layer.thickness], ",
+    ),
+    (
+        "column = \"tape\"",
+        "column = \"strip\"",
+        "\n  help: write the unit in the heading, as \"strip [mm]\", and 2 here",
+    ),
+    (
+        "column = \"tape\"",
+        "column = \"bare\"",
+        "t.csv:2: column \"bare\": found \"1 mm\", expected a number",
+    ),
+    (
+        "column = \"tape\"",
+        "column = \"bare\"",
+        "\n  help: write the unit in the heading, as \"bare [mm]\", and 1 here",
+    ),
     ("side = \"suction\"\n", "", "expected one of \"arc\""),
     (
         "from = \"base.suction\"",

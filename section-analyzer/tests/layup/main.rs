@@ -32,6 +32,7 @@ mod silent;
 mod spars;
 mod stations;
 mod windio;
+mod windio_former;
 mod windio_rules;
 mod windio_span;
 mod words;

@@ -22,7 +22,7 @@ use Input::{Layup as Own, PreVabs, WindIo};
 /// a section that is meshed, if the file is read.
 type Fault = (&'static str, Input, &'static str, &'static str, f64);
 
-const FAULTS: [Fault; 37] = [
+const FAULTS: [Fault; 42] = [
     (
         "unknown material",
         Own,
@@ -35,6 +35,41 @@ const FAULTS: [Fault; 37] = [
         Own,
         "to = \"cap_suction.start\"",
         "to = \"cap_sucton.start\"",
+        0.5,
+    ),
+    (
+        "place of a layer that is no end of it",
+        Own,
+        "to = \"cap_suction.start\"",
+        "to = \"cap_suction.begin\"",
+        0.5,
+    ),
+    (
+        "laminate as a text",
+        Own,
+        "thickness = \"0.5 mm\"",
+        "plies = \"45/-45\"",
+        0.5,
+    ),
+    (
+        "thickness in another unit",
+        Own,
+        "thickness = \"0.5 mm\"",
+        "thickness = 500",
+        0.5,
+    ),
+    (
+        "modulus in another unit",
+        Own,
+        "e1 = 28.2e9",
+        "e1 = 28.2",
+        0.5,
+    ),
+    (
+        "comma that is missing",
+        Own,
+        "eta = [0.1, 0.3, 0.95], value = [0.005,",
+        "eta = [0.1 0.3, 0.95], value = [0.005,",
         0.5,
     ),
     (

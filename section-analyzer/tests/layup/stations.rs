@@ -92,40 +92,29 @@ fn all_stations_of_public_blades_are_meshed() {
     assert_eq!(counts, [75, 1]);
 }
 
-/// At 101 positions of IEA-15 and IEA-3.4, areas of layers of more than 1 % of the section, without the part
-/// that contacts cut, with the oblique ends of the layers on the base (which were up to 3.7 % of a
-/// reinforcement of the trailing edge). All of IEA-3.4 are within 0.5 %, and 93 positions of IEA-15.
-///
-/// From 0.43 to 0.47 the reinforcements of the trailing edge have up to 2.1 % more, and this is as it must be:
-/// the base there is longer than the layers of both sides together, and too short for a wall of them with
-/// mitres, which needs 1.1 times their lengths. Both sides meet in the middle of the base, and the innermost
-/// layers fill the gap, of at most a tenth of the base, that is left between them. It shrinks with the base, from
-/// 2.1 % at 0.43, where the wall ends, to nothing at 0.48. At 0.13, 0.14 and 0.65, up to 0.8 %, a contact
-/// begins between two stations of the mesh.
+/// At 101 positions of IEA-15 and IEA-3.4, and at two more where walls across the base begin and end, areas of layers of
+/// more than 1 % of the section are within 0.3 %: without the part that contacts cut, and with the space that the
+/// innermost layers fill where the edge is closed (from 0.43 to 0.47 up to 2.1 % of the reinforcements, ahead of a
+/// base that is too short for a wall). Nominal areas have the change of the thickness within mitres, where both
+/// reinforcements end (up to 1.7 % at 0.1034), and at oblique ends (up to 3.7 %).
 #[test]
 fn areas_between_the_stations_are_those_of_the_layers() {
-    for (file, most) in [("windio1_iea15", 8), ("windio2_iea34", 0)] {
+    for file in ["windio1_iea15", "windio2_iea34"] {
         let layup = blade(file);
-        let mut beyond = Vec::new();
-        for i in 0..=100 {
-            let eta = f64::from(i) / 100.0;
+        let mut worst = (0.0, String::new());
+        let hundredths = (0..=100).map(|i| f64::from(i) / 100.0);
+        for eta in hundredths.chain([0.1034, 0.4483]) {
             let meshed = layup.mesh(eta);
             let meshed = meshed.unwrap_or_else(|problems| panic!("{file} {eta}: {problems}"));
             for area in areas::large(&meshed.areas) {
-                let error = areas::error(area);
-                if error.abs() > 5e-3 {
-                    println!("{file} {eta} {} {error:.4}", area.name);
-                    beyond.push((i, error));
+                let error = areas::error(area).abs();
+                if error > worst.0 {
+                    worst = (error, format!("{eta} {}", area.name));
                 }
             }
         }
-        let worst = beyond.iter().map(|one| one.1.abs()).fold(0.0, f64::max);
-        beyond.dedup_by_key(|one| one.0);
-        println!(
-            "{file}: {} of 101 beyond 0.5 %, worst {worst:.4}",
-            beyond.len()
-        );
-        assert!(beyond.len() <= most && worst < 0.022, "{file}: {beyond:?}");
+        println!("{file}: {worst:?}");
+        assert!(worst.0 < 3e-3, "{file}: {worst:?}");
     }
 }
 

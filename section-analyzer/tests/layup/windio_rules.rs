@@ -345,27 +345,6 @@ fn half_rules_are_refused() {
     );
 }
 
-/// The key of the offset before windIO 1.0 is named where nothing else has the place; beside arcs it is a key without
-/// effect.
-#[test]
-fn the_former_key_of_the_offset_is_named() {
-    let lines =
-        flat(&[("offset_x_pa", 0.0), ("rotation", 0.0), ("width", 0.8)]) + "side: suction\n";
-    let problem = read(&version_1(&lines)).expect_err("a former key");
-    assert!(
-        problem.contains(
-            "the place of layer \"part\": found \"offset_x_pa\", expected \"offset_y_pa\""
-        ) && problem.contains("files before windIO 1.0 have it"),
-        "{problem}"
-    );
-    let arcs = flat(&[
-        ("start_nd_arc", 0.2),
-        ("end_nd_arc", 0.4),
-        ("offset_x_pa", 0.0),
-    ]);
-    remark(&blade(&arcs), "offset_x_pa");
-}
-
 /// Angles of version 1 are in rad: degrees are an error, and more than a right angle a remark.
 #[test]
 fn angles_of_version_1_are_in_rad() {

@@ -57,6 +57,7 @@ pub(super) fn syntax_problems(
                 true => several(text, at),
                 false => number(text, at)
                     .or_else(|| comma(text, at))
+                    .or_else(|| no_comma(text, at))
                     .or_else(|| unit(text, at)),
             };
             let reason = one.1.clone();
@@ -102,6 +103,21 @@ fn comma(text: &str, at: usize) -> Option<String> {
     let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|one| one.is_ascii_digit());
     let is_number = is_digits(whole.trim_start_matches(['+', '-'])) && is_digits(part);
     is_number.then(|| format!("TOML wants a point in a number: {whole}.{part}"))
+}
+
+/// Two numbers or texts of a list without a comma between them, in the line at an offset.
+fn no_comma(text: &str, at: usize) -> Option<String> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text[begin..].lines().next()?.split('#').next()?;
+    let is_text = |word: &str| word.len() > 1 && word.starts_with('"') && word.ends_with('"');
+    let is_value = |word: &&str| word.parse::<f64>().is_ok() || is_text(word);
+    line.split(['=', ',', '[', ']', '{', '}'])
+        .find_map(|value| {
+            let words: Vec<&str> = value.split_whitespace().collect();
+            let pair = words.windows(2).next()?;
+            let are_values = words.iter().all(is_value);
+            are_values.then(|| format!("a comma is missing between {} and {}", pair[0], pair[1]))
+        })
 }
 
 /// A repeated key, and the line of the first.

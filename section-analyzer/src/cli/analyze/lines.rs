@@ -3,7 +3,7 @@
 use shared_geom::error::counted;
 
 use super::Job;
-use super::one::{Outcome, Status};
+use super::outcome::{Outcome, Status};
 use crate::output::engineering_values_of;
 
 /// Width of a column of numbers: `-1.23456e-10` and two spaces.
@@ -79,6 +79,7 @@ impl Lines {
         let listed = [
             Status::Solved,
             Status::Unchanged,
+            Status::Renewed,
             Status::Sound,
             Status::NotReached,
             Status::WrongInput,

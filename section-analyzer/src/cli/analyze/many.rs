@@ -13,7 +13,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::Job;
 use super::alike::Alike;
 use super::lines::Lines;
-use super::one::Outcome;
+use super::outcome::Outcome;
 use super::progress::Progress;
 use crate::cli::{NOT_REACHED, Stop, Terminal, list_removed};
 
@@ -212,7 +212,7 @@ impl<'a, 'b> Listener<'a, 'b> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::analyze::one::Status;
+    use crate::cli::analyze::outcome::Status;
     use std::io::{self, Write};
     use std::path::Path;
 

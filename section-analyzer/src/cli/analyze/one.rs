@@ -1,22 +1,22 @@
 //! The analysis of one section, with its files and its outcome as text.
 
 use std::cell::LazyCell;
-use std::path::PathBuf;
 
 use shared_geom::error::{Diagnostics, SourceLocation};
 use shared_geom::files::OutputProblem;
-use shared_geom::hash::sha256_of;
 use shared_geom::section::{self, SectionProperties};
 
 use super::electrodes::{fields_per_volt, require_known, write_electrodes};
 use super::mesh_error::MeshError;
 use super::open::open;
+use super::outcome::{Outcome, Status};
+use super::renewed::{made_from, renewed, without_strengths};
 use super::sensitivity::{Sensitivities, analyzed, parameters};
-use super::{Job, PROGRAM, Run};
+use super::{Job, Run};
 use crate::cli::figures::draw_section;
 use crate::cli::solved::Solved;
 use crate::cli::stress::Stresses;
-use crate::cli::{DONE, NOT_REACHED, WRONG_INPUT, warnings_of, words};
+use crate::cli::{warnings_of, words};
 use crate::failure::Failure;
 use crate::input::{self, Input};
 use crate::output::{
@@ -28,104 +28,6 @@ use crate::properties::{Centers, NoRestrainedWarping, RestrainedWarping};
 use crate::recovery::Recovery;
 use crate::sensitivity::Parameter;
 use crate::solution::SectionSolution;
-
-/// Outcome of the analysis of a section.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::cli) enum Status {
-    /// Solved, and all files written.
-    Solved,
-    /// Nothing has changed since the files were written.
-    Unchanged,
-    /// Its mesh is sound; it is not solved.
-    Sound,
-    /// No solution, or not all files could be written.
-    NotReached,
-    /// The input is wrong.
-    WrongInput,
-}
-
-impl Status {
-    /// The exit code.
-    pub fn code(self) -> u8 {
-        match self {
-            Self::Solved | Self::Unchanged | Self::Sound => DONE,
-            Self::NotReached => NOT_REACHED,
-            Self::WrongInput => WRONG_INPUT,
-        }
-    }
-
-    /// The status as text.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Solved => "solved",
-            Self::Unchanged => "unchanged",
-            Self::Sound => "sound",
-            Self::NotReached => "failed",
-            Self::WrongInput => "wrong input",
-        }
-    }
-
-    /// The heading of the list of files.
-    pub fn heading(self) -> &'static str {
-        match self {
-            Self::Unchanged => "Unchanged since the last run (--force solves again)",
-            _ => "Written",
-        }
-    }
-}
-
-/// Complete result of the analysis of a section.
-#[derive(Debug)]
-pub(in crate::cli) struct Outcome {
-    pub status: Status,
-    /// The report, if it is shown.
-    pub report: String,
-    /// The result files.
-    pub files: Vec<PathBuf>,
-    /// Results of an earlier run that this run removed.
-    pub removed: Vec<PathBuf>,
-    /// The reported problems.
-    pub problems: Option<String>,
-    /// Nodes of the mesh, if it could be read.
-    pub nodes: Option<usize>,
-    /// The result, if it exists.
-    pub properties: Option<SectionProperties>,
-    /// Warnings about the input, which the report contains too.
-    pub warnings: Vec<String>,
-}
-
-impl Outcome {
-    /// An outcome of which only the status is known.
-    pub fn new(status: Status) -> Self {
-        Self {
-            status,
-            report: String::new(),
-            files: Vec::new(),
-            removed: Vec::new(),
-            problems: None,
-            nodes: None,
-            properties: None,
-            warnings: Vec::new(),
-        }
-    }
-
-    /// The problems; the warnings too, about the section shown as `label`, if they are to be
-    /// reported or no report exists.
-    pub fn messages(&self, label: &str, with_warnings: bool) -> Option<String> {
-        let warnings = self.warnings.iter();
-        let warnings = warnings.filter(|_| with_warnings || self.report.is_empty());
-        let warnings = warnings.map(|text| format!("warning: {label}: {text}"));
-        let texts: Vec<_> = self.problems.iter().cloned().chain(warnings).collect();
-        (!texts.is_empty()).then(|| texts.join("\n"))
-    }
-
-    fn wrong_input(problems: String) -> Self {
-        Self {
-            problems: Some(problems),
-            ..Self::new(Status::WrongInput)
-        }
-    }
-}
 
 /// A section that has been analyzed, for further results without reading or solving it again.
 #[derive(Debug)]
@@ -170,7 +72,8 @@ fn analyze_checked(
     let unchanged = if run.force {
         None
     } else {
-        unchanged(&files, &made_from)
+        let unchanged = unchanged(&files, &made_from);
+        unchanged.or_else(|| renewed(&files, (input, run), &made_from))
     };
     let earlier = files.earlier();
     let solve = || {
@@ -182,7 +85,7 @@ fn analyze_checked(
         let in_circuit = |found| InCircuit::new(input, found, run);
         match analyzed(input, parameters).and_then(in_circuit) {
             Ok(found) => (
-                solved(job, input, &found, results, &made_from),
+                solved(job, (input, run), &found, results, &made_from),
                 Some(found.found.solution),
             ),
             Err(failure) => (failed(job, input, &failure, results), None),
@@ -196,20 +99,6 @@ fn analyze_checked(
         ..outcome
     };
     (outcome, solution)
-}
-
-/// Fingerprint of everything on which the results depend: the files that were read, and
-/// the program. Options that change results or the list of files belong here too.
-pub(in crate::cli) fn made_from(input: &Input, run: &Run) -> String {
-    let mut parts = vec![input.summary.input_hash.as_bytes(), PROGRAM.as_bytes()];
-    let requested = run.sensitivity.as_ref();
-    let requested = requested.map(|nodes| format!("sensitivity {nodes:?}"));
-    parts.extend(requested.as_ref().map(|requested| requested.as_bytes()));
-    parts.extend(run.mesh_error.then_some(&b"mesh error"[..]));
-    let open = format!("open {:?}", run.open);
-    parts.extend((!run.open.is_empty()).then_some(open.as_bytes()));
-    parts.extend((!run.figures).then_some(&b"no figures"[..]));
-    sha256_of(&parts)
 }
 
 /// The outcome of an earlier run, if this run would write the same files.
@@ -263,7 +152,7 @@ impl InCircuit {
 
 fn solved(
     job: &Job,
-    input: &Input,
+    (input, run): (&Input, &Run),
     in_circuit: &InCircuit,
     mut results: ResultWriter,
     made_from: &str,
@@ -296,7 +185,9 @@ fn solved(
     let failed = stresses.problems(&job.file);
     let open = found.open_problem(&job.file);
     let (files, problem) = match written {
-        Ok(()) if failed.is_none() && open.is_none() => results.finish(made_from),
+        Ok(()) if failed.is_none() && open.is_none() => {
+            results.finish(made_from, without_strengths(input, run))
+        }
         Ok(()) => (results.abandon(), None),
         Err(problem) => (results.abandon(), Some(problem)),
     };

@@ -16,7 +16,7 @@ FILE is a layup with a reference line (NAME.layup.toml with [line]), or a turbin
 windIO. Its sections are meshed and solved in parallel, and written into the folder DIR:
   NAME.blade.json     the blade, stations along the line: input of beam-dynamics
   NAME.span.csv       by station: mass, EA, EI, GJ, GA, centers, principal axes
-  NAME.layers.csv     by station and layer: arcs, thickness, area as given and meshed
+  NAME.layers.csv     by station and layer: arcs, thickness, areas as given, meshed, cut and filled
   NAME.span.png, NAME.shear.png, NAME.centers.png
                       the same over the arc length, each as .svg too
   NAME.compare.csv    with --compare FILE: by station, mass, EA, EI and GJ beside the values of another

@@ -140,7 +140,9 @@ enum Cause {
     Cut,
     /// The cells do not follow the layer.
     Less,
-    /// The layer fills a space that others leave, or its cells are longer than it.
+    /// It fills the space between both sides, as the innermost layer.
+    Filled,
+    /// The cells are longer than the layer.
     More,
 }
 
@@ -150,6 +152,9 @@ impl Cause {
         let part = 1.0 - row.meshed / row.nominal;
         match part {
             part if part.abs() < CUT || !part.is_finite() => None,
+            part if part < 0.0 && -part - row.filled / row.nominal < CUT => {
+                Some((Self::Filled, -part))
+            }
             part if part < 0.0 => Some((Self::More, -part)),
             part if part - row.cut / row.nominal < CUT => Some((Self::Cut, part)),
             part => Some((Self::Less, part)),
@@ -190,6 +195,10 @@ pub(super) fn cut_of_layers<'a>(
             Cause::Less => format!(
                 "layer \"{layer}\" has up to {percent} % less area in its cells than as given, more \
                  than is cut where both sides meet; a smaller \"size\" in [mesh] may bring it back"
+            ),
+            Cause::Filled => format!(
+                "layer \"{layer}\" fills the space between both sides where they meet, by up to {percent} % more \
+                 than its area, and has more mass and stiffness"
             ),
             Cause::More => format!(
                 "layer \"{layer}\" has up to {percent} % more area in its cells than as given, and more \
@@ -237,4 +246,36 @@ fn warnings(span: &SolvedSpan<'_>) -> Vec<Remark> {
         sections,
     };
     sections.into_iter().map(remark).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An area of 1 of which 0.02 is cut or filled, with cells that have it and others.
+    #[test]
+    fn the_cause_of_an_area_is_what_explains_it() {
+        for (meshed, cut, filled, expected) in [
+            (1.005, 0.0, 0.0, None),
+            (0.98, 0.02, 0.0, Some(Cause::Cut)),
+            (0.98, 0.0, 0.0, Some(Cause::Less)),
+            (0.98, 0.0, 0.02, Some(Cause::Less)),
+            (1.02, 0.0, 0.02, Some(Cause::Filled)),
+            (1.02, 0.0, 0.0, Some(Cause::More)),
+            (1.02, 0.02, 0.0, Some(Cause::More)),
+        ] {
+            let row = LayerRow {
+                layer: "skin".to_owned(),
+                material: "glass".to_owned(),
+                arcs: None,
+                thickness: None,
+                nominal: 1.0,
+                meshed,
+                cut,
+                filled,
+            };
+            let found = Cause::of(&row).map(|found| found.0);
+            assert_eq!(found, expected, "{row:?}");
+        }
+    }
 }

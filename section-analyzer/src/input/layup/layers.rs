@@ -1,6 +1,6 @@
 //! Layers and webs as written.
 
-use shared_geom::document::{Key, Table};
+use shared_geom::document::{Item, Key, Table};
 use shared_geom::units::Dimension;
 
 use super::angle::{WITHIN_A_TURN, is_within_a_turn};
@@ -239,22 +239,10 @@ impl Known {
             (None, true)
         };
         let angles = if angles {
-            Some(table.quantities(ANGLES.name(), Dimension::ANGLE)?)
+            Some(angles_of_plies(table)?)
         } else {
             None
         };
-        if angles.as_ref().is_some_and(Vec::is_empty) {
-            table.wrong(&ANGLES, "one angle or more");
-            return None;
-        }
-        if !angles
-            .iter()
-            .flatten()
-            .all(|angle| is_within_a_turn(*angle))
-        {
-            table.wrong(&ANGLES, &format!("for each ply {WITHIN_A_TURN}"));
-            return None;
-        }
         if angles.is_some() && table.has(&FIBER_ANGLE) {
             table.note(&FIBER_ANGLE, &LayupFileProblem::Angles { layer });
             return None;
@@ -323,6 +311,27 @@ pub(super) fn range(table: &Table<'_>, name: &str) -> Option<[f64; 2]> {
             None
         }
     }
+}
+
+/// The angles of single plies \[rad\]; notes problems.
+fn angles_of_plies(table: &Table<'_>) -> Option<Vec<f64>> {
+    let item = table.item(&ANGLES);
+    let written = item.as_ref().and_then(Item::text);
+    if written.is_some_and(|text| text.contains('/')) {
+        let expected = "a list of angles, as [45, -45], the outermost ply first";
+        table.wrong(&ANGLES, expected);
+        return None;
+    }
+    let angles = table.quantities(ANGLES.name(), Dimension::ANGLE)?;
+    if angles.is_empty() {
+        table.wrong(&ANGLES, "one angle or more");
+        return None;
+    }
+    if !angles.iter().all(|angle| is_within_a_turn(*angle)) {
+        table.wrong(&ANGLES, &format!("for each ply {WITHIN_A_TURN}"));
+        return None;
+    }
+    Some(angles)
 }
 
 /// A text, empty if it is none, which has been noted.

@@ -343,12 +343,7 @@ impl Explain for LayupFileProblem {
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
             }
-            Self::Unknown { found, known, .. } => {
-                match nearest_name(found, known.iter().map(String::as_str)) {
-                    Some(near) => Some(format!("did you mean \"{near}\"?")),
-                    None => Some(format!("the file has {}", quoted(known))),
-                }
-            }
+            Self::Unknown { found, known, .. } => Some(help_of_unknown(found, known)),
             Self::NoPly { material, .. } => Some(format!(
                 "add ply_thickness to [material.{material}], or give \"thickness\""
             )),
@@ -377,13 +372,36 @@ impl Explain for LayupFileProblem {
     }
 }
 
+/// The remedy for a name that is not known, or for a place of a layer or web that is.
+fn help_of_unknown(found: &str, known: &[String]) -> String {
+    let [own, part] = match found.split_once('.') {
+        Some((name, part)) => [&found[..=name.len()], part],
+        None => ["", found],
+    };
+    let of_it = known.iter().filter_map(|place| place.strip_prefix(own));
+    let of_it: Vec<&str> = of_it.collect();
+    let all = known.iter().map(String::as_str);
+    let near = match nearest_name(part, of_it.iter().copied()) {
+        Some(near) => Some(format!("{own}{near}")),
+        None if own.is_empty() || of_it.is_empty() => nearest_name(found, all).map(str::to_owned),
+        None => {
+            let places: Vec<String> = of_it.iter().map(|part| format!("{own}{part}")).collect();
+            return format!("its places are {}", quoted(&places));
+        }
+    };
+    match near {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("the file has {}", quoted(known)),
+    }
+}
+
 impl LayupFileProblem {
     /// The remedy of a problem of places and ranges.
     fn help_of_place(&self) -> Option<String> {
         match self {
             Self::OffContour { .. } => Some(
                 "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
-                 along the contour"
+                 along the contour; in a shift, as \"nose - 45 mm\", a number without a unit is a part of the contour"
                     .into(),
             ),
             Self::Circle { places } => Some(format!(

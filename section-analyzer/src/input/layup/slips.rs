@@ -1,5 +1,7 @@
 //! Values that mostly have a wrong unit or sign.
 
+use shared_geom::line::ReferenceLine;
+
 use super::problem::{LayupFileProblem, Located};
 use super::resolve::Resolver;
 use super::{Layup, WrittenLayer};
@@ -19,7 +21,8 @@ impl Layup {
         (size > chord).then_some((self.size_line, problem))
     }
 
-    /// Remarks on tapers that are longer than their layers, and on origins outside of the chord.
+    /// Remarks on tapers that are longer than their layers, on origins outside of the chord, and on chords that are
+    /// longer than the blade.
     pub(super) fn slips(&self) -> Vec<String> {
         let tapered = || self.layers.iter().filter(|layer| layer.taper.is_some());
         let mut remarks = Vec::new();
@@ -42,6 +45,17 @@ impl Layup {
                 }
             ));
         }
+        let chords = self.shape.chord.points().map(|(_, chord)| chord);
+        let chord = chords.fold(0.0, f64::max);
+        let length = self.line.as_ref().map(ReferenceLine::length);
+        remarks.extend(length.filter(|length| chord > *length).map(|length| {
+            format!(
+                "line {}: the largest chord, {} m, is longer than the blade, {} m",
+                self.shape_line,
+                short(chord),
+                short(length)
+            )
+        }));
         remarks
     }
 }

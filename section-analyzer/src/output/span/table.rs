@@ -37,7 +37,7 @@ const SPAN: [&str; 26] = [
 ];
 
 /// Columns of the table of layers.
-const LAYERS: [&str; 9] = [
+const LAYERS: [&str; 11] = [
     "eta [-]",
     "section",
     "layer",
@@ -47,6 +47,8 @@ const LAYERS: [&str; 9] = [
     "thickness [m]",
     "nominal_area [m^2]",
     "meshed_area [m^2]",
+    "cut_area [m^2]",
+    "filled_area [m^2]",
 ];
 
 /// Values of a station, in the axes of its section.
@@ -122,7 +124,7 @@ pub fn layers_csv(span: &SolvedSpan<'_>) -> String {
             let given =
                 [from, to, row.thickness].map(|value| value.map_or_else(String::new, exact));
             cells.extend(given);
-            cells.extend([row.nominal, row.meshed].map(exact));
+            cells.extend([row.nominal, row.meshed, row.cut, row.filled].map(exact));
             cells
         })
     });

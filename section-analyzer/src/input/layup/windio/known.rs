@@ -5,6 +5,7 @@ use shared_geom::error::nearest_name;
 use shared_geom::exchange::yaml::{Node, Value};
 
 use super::Notes;
+use super::planes::{FORMER, OFFSET};
 use super::version::Version;
 
 /// Keys of places in both versions.
@@ -33,14 +34,15 @@ fn further(list: &str, version: Version) -> Vec<&'static str> {
             let own = &[
                 "width",
                 "midpoint_nd_arc",
-                "offset_y_pa",
+                OFFSET,
+                FORMER,
                 "rotation",
                 "side",
             ];
             (&LAYER, own)
         }
         ("layers", Version::Two) => (&LAYER, &[]),
-        ("webs", Version::One) => (&[], &["offset_y_pa", "rotation"]),
+        ("webs", Version::One) => (&[], &[OFFSET, FORMER, "rotation"]),
         ("webs", Version::Two) => (&[], &["anchors", "flanges"]),
         ("flanges", _) => (&[], &["type", "side", "bondline"]),
         _ => {

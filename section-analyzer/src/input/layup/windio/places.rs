@@ -8,6 +8,7 @@ use shared_geom::exchange::yaml::{Node, Value};
 
 use super::super::place::{Place, PlaceForm};
 use super::planes::Tilt;
+use super::planes::{FORMER, OFFSET};
 use super::version::Version;
 use super::{Notes, course, items, word};
 
@@ -22,14 +23,8 @@ pub(super) const RULES: [&str; 4] = ["offset_arc", "offset_nd_arc", "plane_inter
 pub(super) const ROUND_OFF: f64 = 1e-6;
 
 /// Keys of rules for places.
-pub(super) const KEYS: [&str; 7] = [
-    START,
-    END,
-    MIDDLE,
-    "offset_y_pa",
-    "rotation",
-    "side",
-    "width",
+pub(super) const KEYS: [&str; 8] = [
+    START, END, MIDDLE, OFFSET, FORMER, "rotation", "side", "width",
 ];
 
 /// An entry of the file that has a place.

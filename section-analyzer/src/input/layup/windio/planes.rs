@@ -15,7 +15,9 @@
 //! e = cos(R) y + sin(R) x
 //! ```
 //!
-//! behind the axis. In version 1, R is the opposite of `rotation`, and d = `offset_y_pa`.
+//! behind the axis. In version 1, R is the opposite of `rotation`, and d = `offset_y_pa`. Before version 1.0,
+//! d = `offset_x_pa` along the chord turned by `rotation`, T - R: webs that are straight along the span have
+//! the twist as their rotation.
 
 use shared_geom::exchange::reference_line;
 use shared_geom::exchange::windio_fields::{axis, column, numbers};
@@ -27,6 +29,17 @@ use super::super::place::PlaceForm;
 use super::angles::{self, Angle};
 use super::version::Version;
 use super::{Notes, course, required};
+
+/// Distance of a plane from the axis in version 1.
+pub(super) const OFFSET: &str = "offset_y_pa";
+/// The same in files before version 1.0, along the chord turned by the rotation.
+pub(super) const FORMER: &str = "offset_x_pa";
+
+/// The key that has the distance of the plane of a web or layer of version 1.
+pub(super) fn offset_key(item: &Node) -> Option<&'static str> {
+    let mut keys = [OFFSET, FORMER].into_iter();
+    keys.find(|key| item.entry(key).is_some())
+}
 
 /// The directions of the sections of a blade.
 pub(super) struct Tilt {
@@ -98,9 +111,12 @@ impl Tilt {
         side: usize,
         notes: &mut Notes,
     ) -> Option<PlaceForm> {
-        let offset = required(item, of, "offset_y_pa", notes)
-            .and_then(|at| course(at, &format!("offset_y_pa of {of}"), notes));
+        let key = offset_key(item).unwrap_or(OFFSET);
+        let is_former = key == FORMER;
+        let offset = required(item, of, key, notes)
+            .and_then(|at| course(at, &format!("{key} of {of}"), notes));
         let angle = match item.entry("rotation") {
+            Some(node) if node.entry("fixed").is_some() && is_former => Some(self.twist.clone()),
             // "twist" is a plane normal to the chord
             Some(node) if node.entry("fixed").is_some() => Some(Course::constant(0.0)),
             Some(node) => {
@@ -108,8 +124,12 @@ impl Tilt {
                 let rotation = course(node, &what, notes)?;
                 let at = (what.as_str(), node.line);
                 angles::check(self.version, at, rotation.points(), Angle::Any, notes)?;
-                Some(self.twist.plus(&rotation, 1.0))
+                Some(match is_former {
+                    true => rotation,
+                    false => self.twist.plus(&rotation, 1.0),
+                })
             }
+            None if is_former => Some(Course::constant(0.0)),
             None => Some(self.twist.clone()),
         };
         Some(PlaceForm::Plane(offset?, angle?, side))

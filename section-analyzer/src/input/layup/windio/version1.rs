@@ -8,6 +8,7 @@ use shared_geom::exchange::yaml::Node;
 use super::super::course::Course;
 use super::super::place::{Place, PlaceForm, SIDES};
 use super::places::{Doubt, END, Holder, KEYS, MIDDLE, Places, START, arc, half};
+use super::planes::{FORMER, OFFSET, offset_key};
 use super::seam::is_middle_at_edge;
 use super::{Notes, course, word};
 
@@ -39,10 +40,10 @@ impl<'n> Places<'n> {
         let [start, end, middle] = arcs;
         let (start, end, middle, width) = (start?, end?, middle?, width?);
         let arcs = [start, end, middle];
-        let has_plane = item.entry("offset_y_pa").is_some();
-        let plane = match has_plane && (holder == Holder::Web || width.is_some()) {
-            true => Some(self.plane_1(item, of, width.as_ref(), notes)?),
-            false => None,
+        let offset = offset_key(item).filter(|_| holder == Holder::Web || width.is_some());
+        let plane = match offset {
+            Some(key) => Some((key, self.plane_1(item, of, width.as_ref(), notes)?)),
+            None => None,
         };
         let rules = rules(&arcs, width.as_ref(), plane, at_edge);
         let Some((first, others)) = rules.split_first() else {
@@ -79,7 +80,7 @@ impl<'n> Places<'n> {
         });
     }
 
-    /// The places of `offset_y_pa`: of a web on both sides, of a layer with its width on one.
+    /// The places of `offset_y_pa`, or `offset_x_pa`: of a web on both sides, of a layer with its width on one.
     fn plane_1(
         &self,
         item: &'n Node,
@@ -139,7 +140,7 @@ impl<'n> Places<'n> {
 fn rules(
     [start, end, middle]: &[Option<Place>; 3],
     width: Option<&Course>,
-    plane: Option<[Place; 2]>,
+    plane: Option<Rule>,
     at_edge: bool,
 ) -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
@@ -173,12 +174,9 @@ fn rules(
             all.push((name, pair));
         }
     }
-    all.extend(plane.map(|plane| ("offset_y_pa", plane)));
+    all.extend(plane);
     all
 }
-
-/// The key of `offset_y_pa` in files before windIO 1.0.
-const FORMER: &str = "offset_x_pa";
 
 /// The places of a layer without any rule; notes a web without one, and parts of rules.
 fn around(holder: Holder, item: &Node, of: &str, notes: &mut Notes) -> Option<[Place; 2]> {
@@ -186,21 +184,15 @@ fn around(holder: Holder, item: &Node, of: &str, notes: &mut Notes) -> Option<[P
         .into_iter()
         .filter(|key| item.entry(key).is_some())
         .collect();
-    if let Some(node) = item.entry(FORMER) {
-        let (what, found) = (format!("the place of {of}"), format!("\"{FORMER}\""));
-        let help = "files before windIO 1.0 have it: rename it if offset, rotation and side have the meaning of \
-                    windIO 1.0, from the pitch axis toward the trailing edge";
-        notes.wrong(node.line, [&what, &found, "\"offset_y_pa\"", help]);
-        return None;
-    }
     let has = |key: &str| given.contains(&key);
+    let has_offset = has(OFFSET) || has(FORMER);
     let expected = match holder {
         Holder::Layer if given.is_empty() => return Some([Place::arc(0.0), Place::arc(1.0)]),
         Holder::Layer if has(START) => "end_nd_arc or width too",
         Holder::Layer if has(END) => "start_nd_arc or width too",
         Holder::Layer if has(MIDDLE) => "width too",
-        Holder::Layer if has("offset_y_pa") && has("side") => "width too",
-        Holder::Layer if has("offset_y_pa") => "width and side too",
+        Holder::Layer if has_offset && has("side") => "width too",
+        Holder::Layer if has_offset => "width and side too",
         Holder::Layer if has("width") => {
             "start_nd_arc, end_nd_arc, midpoint_nd_arc, or offset_y_pa and side too"
         }

@@ -6,22 +6,23 @@ use super::super::super::distance;
 use super::problem::LayupProblem;
 use super::spar::{SparWall, WebWall};
 use super::types::{LayerArea, LayupSection};
-use super::wall::{Edge, Wall};
+use super::wall::Wall;
 
 /// Samples of the integral along the contour.
 const SAMPLES: usize = 2000;
+/// Distance of the first and last columns from a corner, in samples.
+const INSIDE: f64 = 1e-8;
 
 /// Areas of the layers, of the plies of webs, and of fills.
 pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<LayerArea> {
     let mut areas: Vec<LayerArea> = Vec::new();
-    let (nominal, cut) = nominal(wall);
-    let found = nominal.into_iter().zip(cut);
-    for (layer, (nominal, cut)) in section.layers.iter().zip(found) {
+    for (layer, of_layer) in section.layers.iter().zip(Given::all(wall)) {
         areas.push(LayerArea {
             name: layer.name.clone(),
-            nominal,
+            nominal: of_layer.nominal,
             meshed: 0.0,
-            cut,
+            cut: of_layer.cut,
+            filled: of_layer.filled,
         });
     }
     let plies = section.webs.iter().flat_map(|web| &web.plies);
@@ -35,6 +36,7 @@ pub(super) fn areas(section: &LayupSection, wall: &Wall, mesh: &Mesh) -> Vec<Lay
                 nominal: f64::NAN,
                 meshed: 0.0,
                 cut: 0.0,
+                filled: 0.0,
             }),
     );
     for cell in &mesh.cells {
@@ -76,19 +78,46 @@ pub(super) fn check(areas: &[LayerArea]) -> Result<(), LayupProblem> {
     })
 }
 
-/// Areas of the layers of the shell on the curved surface, and their parts that are cut where both
-/// sides meet, and behind, where the edge is too thin.
-fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
+/// Area of a layer of the shell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Given {
+    /// On the curved surface.
+    nominal: f64,
+    /// The part that is cut where both sides meet, and behind, where the edge is too thin.
+    cut: f64,
+    /// The area that it fills in addition, as the innermost layer between both sides.
+    filled: f64,
+}
+
+impl Given {
+    /// Of all layers.
+    fn all(wall: &Wall) -> Vec<Self> {
+        let mut all = along_surface(wall);
+        for (one, area) in all.iter_mut().zip(behind(wall)) {
+            one.nominal += area;
+            one.cut += area;
+        }
+        if let Some(spar) = &wall.spar {
+            add_spar(wall, spar, &mut all);
+        }
+        add_ahead(wall, &mut all);
+        all
+    }
+}
+
+/// Areas between the ends of both sides, or all around. Between two columns whose lean M along the contour changes, a
+/// layer between the depths d1 and d2 has more by `(d2^2 - d1^2) M' / 2` per length: at a mitre, and at an oblique end.
+fn along_surface(wall: &Wall) -> Vec<Given> {
     let [from, to] = if wall.edge.is_ring() {
         [0.0, wall.outline.perimeter()]
     } else {
         wall.ends
     };
-    let mut sums = vec![0.0; wall.stack.len()];
-    let mut cut = sums.clone();
+    let mut all = vec![Given::default(); wall.stack.len()];
     // the layers of a spar end without a ramp
     let webs = wall.spar.iter().flat_map(|spar| &spar.webs);
     let corners = webs.flat_map(|web| web.corners);
+    let corners = corners.chain(wall.mitres.iter().map(|mitre| mitre.s));
     let kinks = wall.stack.kinks().into_iter().map(|kink| kink.s);
     let inside = corners.chain(kinks).filter(|s| *s > from && *s < to);
     let mut ends: Vec<f64> = [from, to].into_iter().chain(inside).collect();
@@ -96,42 +125,53 @@ fn nominal(wall: &Wall) -> (Vec<f64>, Vec<f64>) {
     for pair in ends.windows(2).filter(|pair| pair[1] > pair[0]) {
         let count = (SAMPLES as f64 * (pair[1] - pair[0]) / (to - from)).ceil();
         let step = (pair[1] - pair[0]) / count;
+        // the lean jumps at a corner
+        let inside = |s: f64| s.clamp(pair[0] + INSIDE * step, pair[1] - INSIDE * step);
+        let mut lean = wall.lean(inside(pair[0]));
         for i in 0..count as usize {
             let s = pair[0] + step * (i as f64 + 0.5);
-            let bend = wall.outline.bend(s);
+            let next = wall.lean(inside(pair[0] + step * (i as f64 + 1.0)));
+            let bend = wall.outline.bend(s) - (next - lean) / step;
+            lean = next;
             let area = |[outer, inner]: [f64; 2]| {
                 (inner - outer) * (1.0 - 0.5 * bend * (inner + outer)) * step
             };
-            let limit = wall.cut_at(s).unwrap_or(f64::MAX);
-            let mut outer = 0.0_f64;
+            let end = wall.cut_at(s);
+            let limit = end.unwrap_or(f64::MAX);
+            let (mut outer, mut innermost) = (0.0_f64, None);
             for (layer, inner) in wall.stack.given_depths(s).into_iter().enumerate() {
                 // beyond the contact there is no surface: thickness times length
                 let beyond = (inner.max(limit) - outer.max(limit)) * step;
-                sums[layer] += area([outer.min(limit), inner.min(limit)]) + beyond;
-                cut[layer] += beyond;
+                all[layer].nominal += area([outer.min(limit), inner.min(limit)]) + beyond;
+                all[layer].cut += beyond;
+                innermost = Some(layer).filter(|_| inner > outer).or(innermost);
                 outer = inner;
+            }
+            if let (Some(layer), Some(end)) = (innermost, end.filter(|end| *end > outer)) {
+                all[layer].filled += area([outer, end]);
             }
         }
     }
-    if matches!(wall.edge, Edge::Face | Edge::Butt) {
-        add_ends(wall, &mut sums);
-    }
-    for (layer, area) in behind(wall).into_iter().enumerate() {
-        sums[layer] += area;
-        cut[layer] += area;
-    }
-    // a mitre takes of both sides
-    for corner in &wall.mitres {
-        let mut outer = 0.0;
-        for (layer, inner) in wall.stack.depths(corner.s).into_iter().enumerate() {
-            sums[layer] -= (inner * inner - outer * outer) * corner.tangent;
-            outer = inner;
+    all
+}
+
+/// Areas ahead of contacts that begin with a gap: there the innermost layer of each side is stretched more and more.
+fn add_ahead(wall: &Wall, all: &mut [Given]) {
+    for [from, _] in &wall.contacts {
+        let Some(before) = wall.stretched_from(*from) else {
+            continue;
+        };
+        let pair = wall.pairs.pair(*from);
+        for side in 0..2 {
+            let s = pair.s[side];
+            let depths = wall.stack.given_depths(s);
+            let more = pair.limit(side, &wall.stack) - depths.last().unwrap_or(&0.0);
+            let length = (s - wall.pairs.at(side, before)).abs();
+            if let Some(layer) = wall.stack.innermost(s).filter(|_| more > 0.0) {
+                all[layer].filled += 0.5 * more * length;
+            }
         }
     }
-    if let Some(spar) = &wall.spar {
-        add_spar(wall, spar, &mut sums);
-    }
-    (sums, cut)
 }
 
 /// Areas of the layers along an edge that is too thin for the first of them, thickness times length.
@@ -155,31 +195,15 @@ fn behind(wall: &Wall) -> Vec<f64> {
     sums
 }
 
-/// Parts of the layers between their ends on the base, which may be oblique, and the normals there: with
-/// the lean M of the column on the base, along the contour, `M (d2^2 - d1^2) / 2` between depths.
-fn add_ends(wall: &Wall, sums: &mut [f64]) {
-    for (s, sign) in wall.ends.into_iter().zip([-1.0, 1.0]) {
-        let (column, n) = (wall.column(s), wall.outline.inward(s));
-        let lean = n[0] * column.direction[1] - n[1] * column.direction[0];
-        let limit = column.depths.last().copied().unwrap_or(0.0);
-        let mut outer = 0.0;
-        for (sum, inner) in sums.iter_mut().zip(wall.stack.given_depths(s)) {
-            let inner = inner.min(limit);
-            *sum += 0.5 * sign * lean * (inner * inner - outer * outer);
-            outer = inner;
-        }
-    }
-}
-
 /// The parts along the webs of a spar; each of their mitres takes of both surfaces.
-fn add_spar(wall: &Wall, spar: &SparWall, sums: &mut [f64]) {
+fn add_spar(wall: &Wall, spar: &SparWall, all: &mut [Given]) {
     for web in &spar.webs {
-        add_web(wall, (spar, web), sums);
+        add_web(wall, (spar, web), all);
     }
 }
 
 /// The parts along a web of a spar.
-fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), sums: &mut [f64]) {
+fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), all: &mut [Given]) {
     let faces = web.corners.map(|s| {
         let (p, n) = (wall.outline.position(s), wall.outline.inward(s));
         let depth = wall.stack.before(spar.first, s);
@@ -188,9 +212,9 @@ fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), sums: &mut [f64]) {
     let length = distance(faces[0], faces[1]);
     for (side, s) in web.corners.into_iter().enumerate() {
         let mut outer = 0.0;
-        for (layer, sum) in sums.iter_mut().enumerate().skip(spar.first) {
+        for (layer, one) in all.iter_mut().enumerate().skip(spar.first) {
             let inner = outer + wall.stack.thickness(layer, s);
-            *sum -= 0.5 * (inner * inner - outer * outer) * web.leans[side];
+            one.nominal -= 0.5 * (inner * inner - outer * outer) * web.leans[side];
             outer = inner;
         }
     }
@@ -198,7 +222,7 @@ fn add_web(wall: &Wall, (spar, web): (&SparWall, &WebWall), sums: &mut [f64]) {
     let mut outer = 0.0;
     for layer in &web.layers {
         let inner = outer + wall.stack.full(*layer);
-        sums[*layer] += (inner - outer) * (length - 0.5 * (inner + outer) * lean);
+        all[*layer].nominal += (inner - outer) * (length - 0.5 * (inner + outer) * lean);
         outer = inner;
     }
 }

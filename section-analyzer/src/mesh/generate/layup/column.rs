@@ -79,6 +79,21 @@ impl Wall {
         self.leaned(&pair, side, lean)
     }
 
+    /// The lean of the column at an arc length along the contour, M; 0 beside a corner of a spar.
+    pub fn lean(&self, s: f64) -> f64 {
+        let column = self.column(s);
+        match &column.bend {
+            Some(bend) => match bend.lean {
+                Lean::Along(lean) => lean,
+                Lean::Part(..) => 0.0,
+            },
+            None => {
+                let n = self.outline.inward(s);
+                n[0] * column.direction[1] - n[1] * column.direction[0]
+            }
+        }
+    }
+
     /// The depth at which layers are cut, where the layers of both sides meet; `None`
     /// elsewhere.
     pub fn cut_at(&self, s: f64) -> Option<f64> {

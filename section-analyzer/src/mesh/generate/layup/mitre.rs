@@ -34,8 +34,6 @@ const MOST: usize = 2000;
 pub(in super::super) struct Mitre {
     /// Its arc length.
     pub s: f64,
-    /// Tangent of half the turn, positive if the section is convex [-].
-    pub tangent: f64,
     /// Length that it takes of the surfaces: `T tan(turn/2)`.
     pub length: f64,
     /// Whether it is at the base.
@@ -115,7 +113,6 @@ pub(super) fn mitres(
         });
         Mitre {
             s,
-            tangent,
             length: length(i),
             is_rear: at_rear.is_some(),
             is_last: at_rear == Some(1),

@@ -4,6 +4,12 @@ use shared_geom::error::Explain;
 
 use super::super::super::short;
 
+/// Thickness of layers, in lengths that the section leaves, from which one of both is likely in another unit.
+const FAR: f64 = 20.0;
+/// The remedy.
+const OTHER_UNIT: &str = "check the units of the thickness and of the chord: a thickness in another unit than the \
+                          one of the file has its unit, as \"8 mm\"; or let thick layers end before it";
+
 /// A part between both sides.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Upright {
@@ -366,6 +372,9 @@ impl Explain for LayupProblem {
                  trailing edge: the layers are then closed as its base allows"
             }
             Self::Open => "let a layer run all around, from arc 0 to 1",
+            Self::Tight {
+                thickness, radius, ..
+            } if *thickness > FAR * radius => OTHER_UNIT,
             Self::Tight { .. } | Self::Meeting { .. } | Self::Crowded { .. } => {
                 "thinner layers there, or layers that end before it"
             }

@@ -78,7 +78,7 @@ impl Wall {
         });
         if let Some((s, thickness, radius)) = worst.filter(|one| one.1 > FULL * one.2) {
             return Some(LayupProblem::Tight {
-                layer: self.stack.innermost(s).to_owned(),
+                layer: self.stack.innermost_name(s).to_owned(),
                 arc: s / outline.perimeter(),
                 thickness,
                 radius,
@@ -91,7 +91,7 @@ impl Wall {
         let needs = [0, 1].map(|side| pair.need(side, &self.stack));
         let side = usize::from(needs[1] > needs[0]);
         Some(LayupProblem::Meeting {
-            layer: self.stack.innermost(pair.s[side]).to_owned(),
+            layer: self.stack.innermost_name(pair.s[side]).to_owned(),
             arcs: pair.s.map(|s| s / outline.perimeter()),
             taken: needs[0] + needs[1],
             length: pair.length,

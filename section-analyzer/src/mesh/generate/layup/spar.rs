@@ -211,7 +211,7 @@ impl WebWall {
         let length = thickness(s) * lean;
         if !(lean > 0.0 && length < way) {
             return Err(LayupProblem::Tight {
-                layer: stack.innermost(s).to_owned(),
+                layer: stack.innermost_name(s).to_owned(),
                 arc: self.arcs[side],
                 thickness: thickness(s),
                 radius: way / lean.abs(),

@@ -269,10 +269,14 @@ impl Stack {
     }
 
     /// Name of the innermost layer that is present at an arc length.
-    pub fn innermost(&self, s: f64) -> &str {
+    pub fn innermost_name(&self, s: f64) -> &str {
+        self.name(self.innermost(s).unwrap_or(0))
+    }
+
+    /// The innermost layer that is present at an arc length.
+    pub fn innermost(&self, s: f64) -> Option<usize> {
         let mut layers = (0..self.len()).rev();
-        let found = layers.find(|layer| self.thickness(*layer, s) > 0.0);
-        self.name(found.unwrap_or(0))
+        layers.find(|layer| self.thickness(*layer, s) > 0.0)
     }
 
     /// Ends of all ramps and corners of profiles, from 0 to the length of the contour, the

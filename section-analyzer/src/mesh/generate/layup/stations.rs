@@ -16,8 +16,6 @@ use super::webs::Standing;
 
 /// Largest turn of the surface along a cell \[rad\]: 8 degrees.
 const TURN: f64 = 0.14;
-/// Gap before a contact from which a station stands ahead of it, in sizes of cells.
-const STRETCHED: f64 = 1e-3;
 /// Part of the distance of a station beside a corner within which another one takes its place.
 const NEAR_CORNER: f64 = 0.3;
 /// Round-off of a number of cells.
@@ -207,11 +205,8 @@ fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark>
     let mark = |at: f64, kind: Kind| Mark { at, kind };
     for contact in wall.contacts.iter().filter(|one| is_in(one[0])) {
         marks.extend(contact.map(|x| mark(x, Kind::Fixed)));
-        // layers that are stretched to the contact are so over the length of the gap only
-        let gap = wall.pairs.pair(contact[0]).gap(&wall.stack);
-        let before = contact[0] - gap / wall.pairs.scale();
-        let is_stretched = gap > STRETCHED * wall.size && is_in(before);
-        marks.extend(is_stretched.then(|| mark(before, Kind::Fixed)));
+        let before = wall.stretched_from(contact[0]);
+        marks.extend(before.map(|before| mark(before, Kind::Fixed)));
         marks.extend(
             wall.pairs
                 .cuts(&wall.stack, *contact)

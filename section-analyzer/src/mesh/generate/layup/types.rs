@@ -192,6 +192,9 @@ pub struct LayerArea {
     /// The part of its area that is cut where the layers of both sides meet
     /// [unit of the mesh^2].
     pub cut: f64,
+    /// The area that it has in addition where it fills the space between both sides, as the innermost
+    /// layer [unit of the mesh^2].
+    pub filled: f64,
 }
 
 /// Checks names, numbers and arcs.

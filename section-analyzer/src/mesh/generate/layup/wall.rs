@@ -17,6 +17,8 @@ const REACH: [f64; 2] = [2.5, 1.5];
 
 /// Least part of the base between the layers of both sides at a web.
 const LEAST_GAP: f64 = 0.05;
+/// Gap before a contact from which layers are stretched ahead of it, in sizes of cells.
+const STRETCHED: f64 = 1e-3;
 /// Least height of an edge, of the length of the contour.
 const LEAST_HEIGHT: f64 = 5e-4;
 /// The foremost place at which an edge is cut off, of the chord.
@@ -411,6 +413,17 @@ impl Wall {
             last[0] = last[0].min(one[0]);
         }
         self.contacts.push(last);
+    }
+
+    /// The x from which the innermost layers are stretched to a contact that begins with a gap; `None` without
+    /// one. Layers are stretched over the length of the gap.
+    pub fn stretched_from(&self, contact: f64) -> Option<f64> {
+        let gap = self.pairs.pair(contact).gap(&self.stack);
+        let before = contact - gap / self.pairs.scale();
+        let is_in =
+            |zone: &&[f64; 2]| contact >= zone[0] && contact <= zone[1] && before >= zone[0];
+        let is_stretched = gap > STRETCHED * self.size && self.zones.iter().find(is_in).is_some();
+        is_stretched.then_some(before)
     }
 
     fn reach_at(&self, x: f64) -> f64 {
