@@ -7,14 +7,9 @@
 //! | b - A x | = | |b| e_1 - H y |                                                    (D-443)
 //! ```
 //!
-//! by Givens rotations of H. The products `A (P v)` take the place of `A v` where a preconditioner
-//! P is known from systems before.
+//! by Givens rotations of H.
 //!
 //! References: [SaadSchultz1986].
-
-mod preconditioner;
-
-pub use preconditioner::Preconditioner;
 
 /// An approximate solution.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,14 +27,10 @@ const ROUND_OFF: f64 = 1e-14;
 
 /// Solves `A x = b` to a relative residual `tolerance` with at most `most` products; `product`
 /// replaces a vector by its product. `None` if a product is not finite.
-///
-/// The space of the solution is added to `preconditioner`, with which a system of a similar matrix needs
-/// fewer products.
 pub fn gmres(
     product: &mut dyn FnMut(&mut [f64]) -> Option<()>,
     b: &[f64],
     (tolerance, most): (f64, usize),
-    preconditioner: &mut Preconditioner,
 ) -> Option<Gmres> {
     let size = norm(b);
     if size == 0.0 {
@@ -51,15 +42,12 @@ pub fn gmres(
     }
     let mut space = Space {
         basis: vec![b.iter().map(|value| value / size).collect()],
-        directions: Vec::new(),
         columns: Vec::new(),
         rotations: Vec::new(),
         right: vec![size],
     };
     while space.columns.len() < most {
         let mut w = space.basis[space.columns.len()].clone();
-        preconditioner.apply(&mut w);
-        let direction = w.clone();
         product(&mut w)?;
         let whole = norm(&w);
         if !whole.is_finite() {
@@ -69,7 +57,6 @@ pub fn gmres(
             // The matrix maps the basis onto less: no smaller residual in this space.
             break;
         };
-        space.directions.push(direction);
         let left = space.right.last().map_or(0.0, |left| left.abs());
         if left <= tolerance * size || rest <= ROUND_OFF * whole {
             break;
@@ -78,23 +65,16 @@ pub fn gmres(
             .basis
             .push(w.iter().map(|value| value / rest).collect());
     }
-    let residual = space.right.last().map_or(0.0, |left| left.abs()) / size;
-    let (x, products) = (space.solution(), space.columns.len());
-    if residual <= tolerance {
-        preconditioner.add(space);
-    }
     Some(Gmres {
-        x,
-        products,
-        residual,
+        x: space.solution(),
+        products: space.columns.len(),
+        residual: space.right.last().map_or(0.0, |left| left.abs()) / size,
     })
 }
 
 /// The Krylov space, with H turned into a triangle.
 struct Space {
     basis: Vec<Vec<f64>>,
-    /// Vectors whose products span the space: `P v` of each basis vector.
-    directions: Vec<Vec<f64>>,
     /// Columns of the triangle.
     columns: Vec<Vec<f64>>,
     /// Cosine and sine of each rotation.
@@ -136,7 +116,7 @@ impl Space {
             y[i] = (y[i] - known) / self.columns[i][i];
         }
         let mut x = vec![0.0; self.basis[0].len()];
-        for (y, v) in y.iter().zip(&self.directions) {
+        for (y, v) in y.iter().zip(&self.basis) {
             x.iter_mut().zip(v).for_each(|(x, v)| *x += y * v);
         }
         x

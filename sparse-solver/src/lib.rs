@@ -46,7 +46,7 @@ pub use cholesky::{
 };
 pub use dense::{Eigenvectors, eigenvalues, eigenvalues_of};
 pub use descriptor::{Descriptor, DescriptorState, Minimal, NotMinimal, minimal};
-pub use gmres::{Gmres, Preconditioner, gmres, norm, orthogonalize};
+pub use gmres::{Gmres, gmres, norm, orthogonalize};
 pub use linear::{ComplexFactorization, Factorization, LinearSolver};
 pub use newton::{
     Equations, Iteration, Jacobian, Newton, NewtonReport, NewtonStatus, Worst, solve,

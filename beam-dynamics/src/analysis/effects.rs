@@ -37,8 +37,20 @@ fn balanced(mut response: DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Why controls (columns of the response) do not determine targets (rows), as text, given the response
-/// and its relative errors; `None` if they do.
+/// and its relative errors; `None` if they do. Names are found without the units of both, unless the response is
+/// regular then.
 pub(super) fn idle(
+    (response, errors): (&DMatrix<f64>, f64),
+    controls: &[TrimControl],
+    targets: &[TrimTarget],
+) -> Option<String> {
+    let in_units = reason((response, errors), controls, targets)?;
+    let balanced = balanced(response.clone());
+    Some(reason((&balanced, errors), controls, targets).unwrap_or(in_units))
+}
+
+/// The same of a response as it is given.
+fn reason(
     (response, errors): (&DMatrix<f64>, f64),
     controls: &[TrimControl],
     targets: &[TrimTarget],
@@ -94,8 +106,8 @@ pub(super) fn idle_in_any_units(
     controls: &[TrimControl],
     targets: &[TrimTarget],
 ) -> Option<String> {
-    let reason = idle((&response, errors), controls, targets)?;
-    idle((&balanced(response), errors), controls, targets).map(|_| reason)
+    reason((&response, errors), controls, targets)?;
+    reason((&balanced(response), errors), controls, targets)
 }
 
 #[cfg(test)]
@@ -121,7 +133,7 @@ mod tests {
             scale: 1.0,
         });
         let response = DMatrix::from_row_slice(2, 2, rows);
-        idle((&response, errors), &controls, &targets)
+        reason((&response, errors), &controls, &targets)
     }
 
     // A force in N and a coefficient by an angle in degrees: regular, but not in these units.

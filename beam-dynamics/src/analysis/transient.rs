@@ -44,6 +44,7 @@ pub use failure::{StepTrouble, TransientFailure};
 pub use snapshot::difference;
 pub use turning::LargestTurn;
 
+pub(in crate::analysis) use diagnosis::in_wake;
 use diagnosis::trouble;
 use effort::effort;
 use energy::{EnergyWatch, Finding};

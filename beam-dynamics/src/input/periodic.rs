@@ -56,8 +56,8 @@ impl Explain for PeriodicProblem {
     }
 }
 
-/// Names of rotors of constant speed, and their speeds \[rad/s\].
-type Turning<'a> = [(&'a str, f64)];
+/// Names of rotors of constant speed, and their speeds \[rad/s\]; `None` if a rotor is wrong.
+type Turning<'a> = Option<Vec<(&'a str, f64)>>;
 
 /// Reads `[periodic]` of a file with rotors that turn at constant speeds; `Some(None)` without the card.
 pub(super) fn read(
@@ -74,6 +74,13 @@ pub(super) fn read(
     let mut settings = settings?;
     settings.floquet = floquet?;
     Some(Some(settings))
+}
+
+/// Whether the card has the speed of the first rotor.
+pub(super) fn takes_the_rotors(root: &Table<'_>) -> bool {
+    let table = root.is_table("periodic").then(|| root.table("periodic"));
+    let own = table.flatten();
+    own.is_some_and(|table| !table.has(&PERIOD) && !table.has(&SPEED))
 }
 
 /// The place of the card.
@@ -127,7 +134,7 @@ fn in_turns(
     rotors: &Turning<'_>,
     builder: &mut ModelBuilder,
 ) -> (f64, Option<f64>) {
-    let Some((name, own)) = rotors.first() else {
+    let Some((name, own)) = rotors.as_ref().and_then(|rotors| rotors.first()) else {
         return (period, speed);
     };
     let turns = own.abs() * period / TAU;
@@ -152,7 +159,7 @@ fn period(table: &Table<'_>, rotors: &Turning<'_>) -> Option<(f64, Option<f64>)>
     let (period, speed) = (table.get(&PERIOD), table.get(&SPEED));
     let revolutions = table.get(&REVOLUTIONS);
     let (period, speed, revolutions) = (period?, speed?, revolutions?);
-    let of_rotor = rotors.first().map(|rotor| rotor.1);
+    let of_rotor = rotors.iter().flatten().next().map(|rotor| rotor.1);
     let speed = speed.or(of_rotor.filter(|_| period.is_none()));
     match (period, speed) {
         (Some(period), None) => Some((period, None)),
@@ -161,6 +168,8 @@ fn period(table: &Table<'_>, rotors: &Turning<'_>) -> Option<(f64, Option<f64>)>
             None
         }
         (None, Some(speed)) => Some((revolutions as f64 * TAU / speed.abs(), Some(speed))),
+        // The rotor that has the speed is wrong, which is noted.
+        (None, None) if rotors.is_none() => None,
         (found, _) => {
             let (key, found) = match found {
                 Some(_) => (PERIOD.name(), "both \"period\" and \"speed\""),

@@ -12,6 +12,7 @@ use shared_geom::error::Diagnostics;
 use super::analyses::Analyses;
 use super::declare;
 use super::hub::{HUB, Hub};
+use super::periodic;
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
 use crate::case::{PeriodicSettings, Start, TransientSettings};
@@ -130,11 +131,11 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     is_sound.then(|| placed.collect()).ok_or_else(Vec::new)
 }
 
-/// The rotors that turn at a constant speed other than zero, by name \[rad/s\].
-pub(super) fn turning(rotors: &Rotors) -> Vec<(&str, f64)> {
-    let rotors = rotors.as_deref().unwrap_or_default().iter();
+/// The rotors that turn at a constant speed other than zero, by name \[rad/s\]; `None` if one is wrong.
+pub(super) fn turning(rotors: &Rotors) -> Option<Vec<(&str, f64)>> {
+    let rotors = rotors.as_deref().ok()?.iter();
     let turning = rotors.filter_map(|rotor| Some((rotor.name.as_str(), rotor.speed?)));
-    turning.filter(|(_, speed)| *speed != 0.0).collect()
+    Some(turning.filter(|(_, speed)| *speed != 0.0).collect())
 }
 
 /// The names of all rotors that have one.
@@ -193,7 +194,25 @@ fn expanded_text(document: &Document, source: &str) -> Option<String> {
     let texts: Vec<_> = rotors.iter().map(|(_, cards)| text(cards)).collect();
     let replaced = document.replaced(source, KEY, &texts);
     let text = replaced.unwrap_or_else(|| document.joined(KEY, &texts));
+    let mut speeds = rotors
+        .iter()
+        .filter_map(|(rotor, _)| rotor.shaft.constant_speed());
+    let text = match speeds.find(|speed| *speed != 0.0) {
+        Some(speed) if periodic::takes_the_rotors(&document.root_of(&DYNAMICS_FILE)) => {
+            with_speed(&text, speed)
+        }
+        _ => text,
+    };
     is_sound.then_some(text)
+}
+
+/// A text whose `[periodic]` has the speed \[rad/s\] of a rotor that it no longer has.
+fn with_speed(text: &str, speed: f64) -> String {
+    let line = |line: &str| match line.trim_start().starts_with("[periodic]") {
+        true => format!("{line}\nspeed = \"{speed:?} rad/s\"\n"),
+        false => format!("{line}\n"),
+    };
+    text.lines().map(line).collect()
 }
 
 /// Rotors with their cards.

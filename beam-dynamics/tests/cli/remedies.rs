@@ -136,6 +136,14 @@ fn stall_of_an_annulus_in_time_is_named_with_its_remedies() {
         assert!(stalled.err.contains(words), "{words}: {}", stalled.err);
     }
     assert!(folder.read("results/a.transient.csv").lines().count() > 5);
+    let (cards, _) = STALLED.split_once("[transient]").unwrap();
+    let period = "[periodic]\nspeed = \"60 rpm\"\nsteps = 200\nstages = \"two\"\n";
+    let cards = cards.replace("8 + 8*t", "20 - 12*cos(2*pi*t)");
+    folder.write("a.dynamics.toml", &format!("{cards}{period}"));
+    let stalled = folder.run(&["periodic", "a.dynamics.toml", "--no-figures"]);
+    assert_eq!(stalled.code, 1, "{}", stalled.err);
+    let remedy = "help: give the inflow wake = \"dynamic\", whose velocities cannot jump";
+    assert!(stalled.err.contains(remedy), "{}", stalled.err);
     let section = |word: &str| STALLED.replace("quasi_steady", word);
     for text in [
         STALLED.replace("[[inflow]]", "[[inflow]]\nwake = \"dynamic\""),

@@ -117,7 +117,10 @@ fn the_speed_of_a_value_is_the_speed_of_its_trim() {
             assert!(!expected.is_empty() && expected.len() == point.roots.len());
             for (root, other) in point.roots.iter().zip(expected) {
                 let off = (root.exponent - other.exponent).norm();
-                assert!(off < 1e-6 * other.exponent.norm(), "{number} {root:?} {other:?}");
+                assert!(
+                    off < 1e-6 * other.exponent.norm(),
+                    "{number} {root:?} {other:?}"
+                );
             }
         }
     }

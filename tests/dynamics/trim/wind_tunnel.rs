@@ -94,7 +94,7 @@ fn dependent_controls_of_a_rotor_are_named() {
         "{text}"
     );
     assert!(
-        remedy.contains("a control must act on a target"),
+        remedy.contains("a target that no control reaches"),
         "{remedy}"
     );
 }

@@ -13,6 +13,9 @@ use crate::analysis::multiblade::{Coordinates, Slot};
 const SAME: f64 = 1e-3;
 /// The same relative to the largest number of the row: the error of the motion.
 const MOTION: f64 = 1e-9;
+/// The same relative to the largest number of all rows: round-off in the forces of stiff beams, which joints pass to
+/// rows without stiffness.
+const ROUND_OFF: f64 = 1e-12;
 
 /// Sums of the coefficients of each blade by itself, by pairs of families.
 #[derive(Debug, Default)]
@@ -48,6 +51,11 @@ impl Equality {
                 *largest = largest.max(size);
             }
         }
+        let largest = |number: usize| {
+            let own = rows.iter().filter(|(row, _)| row.1 == number);
+            own.fold(0.0_f64, |largest, (_, size)| largest.max(*size))
+        };
+        let largest = [0, 1].map(largest);
         let mut worst = (1.0, None);
         for (&(row, _), sums) in &self.sums {
             let of_row = [0, 1].map(|number| rows.get(&(row, number)).copied().unwrap_or(0.0));
@@ -55,7 +63,9 @@ impl Equality {
             for blade in 1..sums.len() {
                 let found = differences([&sums[0], &sums[blade]]);
                 for number in 0..2 {
-                    let allowed = SAME * blocks[number] + MOTION * of_row[number];
+                    let allowed = SAME * blocks[number]
+                        + MOTION * of_row[number]
+                        + ROUND_OFF * largest[number];
                     let part = found[number] / allowed;
                     if part > worst.0 {
                         let slot = coordinates.families[row][blade];

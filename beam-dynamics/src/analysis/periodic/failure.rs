@@ -2,7 +2,7 @@
 
 use shared_geom::error::counted;
 
-use crate::analysis::transient::TransientFailure;
+use crate::analysis::transient::{TransientFailure, in_wake};
 use crate::case::TrimControl;
 use crate::integrator::StepFailure;
 use crate::result::Stall;
@@ -77,7 +77,13 @@ pub enum PeriodicFailure {
     /// The equations of the shooting are singular.
     #[error("the equations of the periodic motion are singular: {reason}")]
     Singular {
-        /// The free motion, or the controls.
+        /// The free motion.
+        reason: String,
+    },
+    /// The controls do not determine the targets.
+    #[error("the equations of the periodic motion are singular: {reason}")]
+    Idle {
+        /// The controls and targets.
         reason: String,
     },
     /// The matrix of a step is singular.
@@ -129,7 +135,8 @@ fn of_step(failure: &StepFailure) -> String {
         let idle = ["shorter steps", "asymptotic radius"];
         !idle.iter().any(|word| remedy.contains(word))
     });
-    let all = std::iter::once(&own).chain(others);
+    let wake = in_wake(failure).unwrap_or_default().iter();
+    let all = wake.chain(std::iter::once(&own)).chain(others);
     all.copied().collect::<Vec<_>>().join("; ")
 }
 
@@ -197,7 +204,10 @@ impl PeriodicFailure {
             }
             Self::Singular { .. } => {
                 "a motion that nothing resists has no definite position: hold it, give it a spring, \
-                 or prescribe the speed of the shaft; a control must act on a target"
+                 or prescribe the speed of the shaft"
+            }
+            Self::Idle { .. } => {
+                "replace a control that does not act, or a target that no control reaches"
             }
             Self::Bound { .. } => {
                 "move the bound, require another value of the target, or replace the control"

@@ -6,7 +6,7 @@ use crate::assembly::Sparse;
 use crate::case::{Model, PeriodicSettings};
 use crate::integrator::{Dae, OneStep, StepFailure};
 use crate::model::{Conditions, State};
-use crate::solver::{LinearSolver, Preconditioner};
+use crate::solver::LinearSolver;
 
 /// Distance of a corner from the end of a step, as a part of the step, within which the step ends
 /// at the corner, under the conditions before it.
@@ -42,8 +42,6 @@ pub(super) struct Flow<'a> {
     steps: usize,
     /// Periods integrated so far.
     pub periods: usize,
-    /// Of `I - M`, from the corrections of its linearizations so far.
-    pub preconditioner: Preconditioner,
 }
 
 impl<'a> Flow<'a> {
@@ -62,7 +60,6 @@ impl<'a> Flow<'a> {
             period: settings.period,
             steps,
             periods: 0,
-            preconditioner: Preconditioner::default(),
         }
     }
 

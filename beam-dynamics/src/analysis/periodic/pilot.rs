@@ -159,17 +159,17 @@ fn begun<'a>(
     border.begin(state);
     let (end, map) = flow.linearized(state)?;
     let map = map.ok_or(PeriodicFailure::SingularStep)?;
-    let singular = |reason: Option<String>| PeriodicFailure::Singular {
-        reason: reason.unwrap_or_else(|| "nothing determines the motion".to_owned()),
+    let singular = || PeriodicFailure::Singular {
+        reason: "nothing determines the motion".to_owned(),
     };
-    let response = shooting.responses(&map).ok_or_else(|| singular(None))?;
+    let response = shooting.responses(&map).ok_or_else(singular)?;
     if let Some(reason) = border.idle(&response.means, effects::EXACT) {
-        return Err(singular(Some(reason)));
+        return Err(PeriodicFailure::Idle { reason });
     }
     let pilot = Pilot {
         shooting,
         settings,
-        inverse: response.means.try_inverse().ok_or_else(|| singular(None))?,
+        inverse: response.means.try_inverse().ok_or_else(singular)?,
         turns: response.turns,
         step: 1.0 / flow.steps() as f64,
         filtered: border.reached(&end),

@@ -21,7 +21,7 @@ use crate::case::{Model, PeriodicSettings};
 use crate::integrator::StepFailure;
 use crate::model::{NODE_UNKNOWNS, State};
 use crate::result::PeriodicPass;
-use crate::solver::{Gmres, Preconditioner, gmres};
+use crate::solver::{Gmres, gmres};
 
 /// Residual of the correction [-].
 const TOLERANCE: f64 = 1e-8;
@@ -105,7 +105,7 @@ impl Shooting<'_> {
                     | PeriodicFailure::Bound { .. }
             );
             let idle = last.filter(|_| is_search).and_then(|map| self.idle(&map));
-            idle.map_or(failure, |reason| PeriodicFailure::Singular { reason })
+            idle.map_or(failure, |reason| PeriodicFailure::Idle { reason })
         })
     }
 
@@ -141,14 +141,13 @@ impl Shooting<'_> {
             });
             if part <= self.settings.tolerance {
                 let state = state.clone();
-                let orbit = Orbit { state, end, map };
-                return self.determined(orbit, &rows, &mut flow.preconditioner);
+                return self.determined(Orbit { state, end, map }, &rows);
             }
             let map = last.insert(map);
             if iterations >= self.settings.iterations || !part.is_finite() {
                 return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
-            let found = self.correction(map, (&residual, &rows), &mut flow.preconditioner);
+            let found = self.correction(map, &residual, &rows);
             let Some(found) = found.filter(|found| found.residual < SINGULAR) else {
                 return Err(self.singular(map, worst));
             };
@@ -216,12 +215,7 @@ impl Shooting<'_> {
     }
 
     /// The solution in sizes of the unknowns; `None` if it is not finite.
-    fn correction(
-        &self,
-        map: &PeriodMap,
-        (residual, rows): (&[f64], &[f64]),
-        preconditioner: &mut Preconditioner,
-    ) -> Option<Gmres> {
+    fn correction(&self, map: &PeriodMap, residual: &[f64], rows: &[f64]) -> Option<Gmres> {
         let right: Vec<_> = residual
             .iter()
             .zip(rows)
@@ -231,7 +225,6 @@ impl Shooting<'_> {
             &mut |x| self.product(map, rows, x),
             &right,
             (TOLERANCE, MOST),
-            preconditioner,
         )
     }
 
@@ -276,10 +269,12 @@ impl Shooting<'_> {
     /// The reason of a singular correction: a control that does not act, or the motion that does not
     /// repeat.
     fn singular(&self, map: &PeriodMap, name: String) -> PeriodicFailure {
-        let reason = self
-            .idle(map)
-            .unwrap_or_else(|| format!("nothing determines {name}"));
-        PeriodicFailure::Singular { reason }
+        match self.idle(map) {
+            Some(reason) => PeriodicFailure::Idle { reason },
+            None => PeriodicFailure::Singular {
+                reason: format!("nothing determines {name}"),
+            },
+        }
     }
 
     /// Checks that the controls determine the targets, in whatever units both are, if a correction `d` of
@@ -291,19 +286,14 @@ impl Shooting<'_> {
         };
         let errors = effects::BY_PRODUCTS;
         match self.border.idle_in_any_units(response.means, errors) {
-            Some(reason) => Err(PeriodicFailure::Singular { reason }),
+            Some(reason) => Err(PeriodicFailure::Idle { reason }),
             None => Ok(()),
         }
     }
 
     /// A motion that has its targets, if its controls determine them: targets that depend on each
     /// other are met by any of many controls. Any other targets are reached by a correction if they do.
-    fn determined(
-        &self,
-        orbit: Orbit,
-        rows: &[f64],
-        preconditioner: &mut Preconditioner,
-    ) -> Result<Orbit, PeriodicFailure> {
+    fn determined(&self, orbit: Orbit, rows: &[f64]) -> Result<Orbit, PeriodicFailure> {
         let mut other = vec![0.0; rows.len()];
         let targets = self.border.target_rows();
         for (number, row) in targets.iter().enumerate() {
@@ -313,7 +303,7 @@ impl Shooting<'_> {
         if targets.is_empty() {
             return Ok(orbit);
         }
-        let found = self.correction(&orbit.map, (&other, rows), preconditioner);
+        let found = self.correction(&orbit.map, &other, rows);
         let is_regular = |found: Gmres| {
             let d = found.x.iter().zip(self.sizes).map(|(x, size)| x * size);
             // Equations that are singular but for round-off have a solution of large controls.
@@ -323,7 +313,7 @@ impl Shooting<'_> {
             return Ok(orbit);
         }
         match self.idle(&orbit.map) {
-            Some(reason) => Err(PeriodicFailure::Singular { reason }),
+            Some(reason) => Err(PeriodicFailure::Idle { reason }),
             None => Ok(orbit),
         }
     }
@@ -340,7 +330,6 @@ impl Shooting<'_> {
         let held = self.border.unknowns();
         let mut response = DMatrix::zeros(count, count);
         let mut turns = vec![0.0; count];
-        let mut preconditioner = Preconditioner::default();
         for column in 0..count {
             let control = self.border.control(column);
             let mut first = vec![0.0; self.sizes.len()];
@@ -357,8 +346,7 @@ impl Shooting<'_> {
                 Some(())
             };
             let scaled: Vec<_> = right.iter().zip(self.sizes).map(|(d, s)| d / s).collect();
-            let limits = (TOLERANCE, MOST);
-            let found = gmres(&mut product, &scaled, limits, &mut preconditioner)?;
+            let found = gmres(&mut product, &scaled, (TOLERANCE, MOST))?;
             let moved = found.x.iter().zip(self.sizes).map(|(x, s)| x * s);
             first
                 .iter_mut()

@@ -14,6 +14,7 @@ use crate::solver::Iteration;
 
 mod cause;
 
+pub(in crate::analysis) use cause::in_wake;
 use cause::{Cause, FailureContext};
 
 /// Iterations of the history that are shown.

@@ -64,6 +64,15 @@ impl From<Finding> for Cause {
     }
 }
 
+/// Remedies of a step whose iteration failed at an induced velocity.
+pub(in crate::analysis) fn in_wake(failure: &StepFailure) -> Option<&'static [&'static str]> {
+    let is_iteration = !matches!(failure.reason, Reason::LocalError | Reason::NotFinite);
+    (is_iteration && failure.equation.what.contains(INDUCED_VELOCITY)).then_some(&[
+        "give the inflow wake = \"dynamic\", whose velocities cannot jump",
+        "or choose another model of the sections, as \"separation_lag\" or \"oye\"",
+    ])
+}
+
 /// Data of a failed step.
 pub(super) struct FailureContext<'a> {
     failure: &'a StepFailure,
@@ -270,20 +279,15 @@ impl<'a> FailureContext<'a> {
 
     /// Induced velocities without a value near the last ones.
     fn in_stall(&self) -> Option<Cause> {
-        let name = &self.failure.equation;
-        let is_iteration = !matches!(self.failure.reason, Reason::LocalError | Reason::NotFinite);
-        (is_iteration && name.what.contains(INDUCED_VELOCITY)).then(|| {
-            let owner = &name.owner;
+        in_wake(self.failure).map(|remedies| {
+            let owner = &self.failure.equation.owner;
             Cause::new(
                 format!(
                     "the induced velocity at {owner} has no value near the last one: where a section \
                      stalls, its lift falls as the angle of attack grows, and an annulus in equilibrium with \
                      it jumps to another state"
                 ),
-                &[
-                    "give the inflow wake = \"dynamic\", whose velocities cannot jump",
-                    "or choose another model of the sections, as \"separation_lag\" or \"oye\"",
-                ],
+                remedies,
             )
         })
     }

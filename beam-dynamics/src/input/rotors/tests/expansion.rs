@@ -2,7 +2,7 @@
 
 use crate::analysis::modes::modes;
 
-use super::{STRIP, expanded, read, text};
+use super::{STRIP, expanded, read, refused, text};
 
 /// Keys of rotors of each kind that use all of their parts.
 const KINDS: [(&str, &str); 12] = [
@@ -209,4 +209,27 @@ fn parameters_that_are_numbers_in_the_cards_are_named() {
     let comment = "# Cards of rotors have values of \"rpm\" of [parameters] as numbers";
     assert!(fixed.starts_with(comment), "{fixed}");
     assert!(!rotor("300").contains("# Cards of rotors"));
+}
+
+// The period of the first rotor stays the one of the file, which has no rotor any more.
+#[test]
+fn an_expanded_file_has_the_period_of_its_rotor() {
+    for speed in ["30", "-17.3"] {
+        let text = text(
+            "hingeless",
+            &format!("speed = {speed}"),
+            "[periodic]\nsteps = 16\n",
+        );
+        let [own, found] = [read(&text), read(&expanded(&text))].map(|it| it.periodic.unwrap());
+        assert_eq!((own.period, own.speed), (found.period, found.speed));
+    }
+}
+
+// The speed is in a rotor that cannot be read: nothing but this is reported.
+#[test]
+fn a_wrong_rotor_is_no_missing_period() {
+    let text = text("hingeless", "speed = 30", "[periodic]\nsteps = 16\n");
+    let problems = refused(&text.replace("hub_radius", "hub_radus"));
+    assert!(problems.contains("hub_radus"), "{problems}");
+    assert!(!problems.contains("the period"), "{problems}");
 }
