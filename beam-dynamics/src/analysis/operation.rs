@@ -20,6 +20,8 @@ pub(super) const RATIOS: [f64; 2] = [0.5, 20.0];
 const BRAKE: f64 = 10.0;
 /// Coefficients of thrust and power that are no small rest \[-\].
 const COUNTS: f64 = 0.05;
+/// Advance ratio above which the periodic coefficients of blades count beside their means \[-\].
+const PERIODIC: f64 = 0.1;
 /// Part of the strips beyond stall, above which the state is none of operation \[-\].
 const STALLED: f64 = 0.75;
 /// Digits of numbers.
@@ -32,6 +34,7 @@ enum Doubt {
     Fast,
     Supersonic,
     Advance,
+    Averaged,
     Behind,
     Against,
     Brakes,
@@ -55,6 +58,8 @@ pub(super) struct Operation {
     points: usize,
     /// Whether others report stall.
     omits_stall: bool,
+    /// Whether the equations have mean coefficients.
+    is_averaged: bool,
     found: Vec<Found>,
 }
 
@@ -63,6 +68,14 @@ impl Operation {
     pub fn without_stall() -> Self {
         Self {
             omits_stall: true,
+            ..Self::default()
+        }
+    }
+
+    /// Of an analysis, which averages the coefficients of the equations or not.
+    pub fn of_averaged(is_averaged: bool) -> Self {
+        Self {
+            is_averaged,
             ..Self::default()
         }
     }
@@ -76,6 +89,7 @@ impl Operation {
                 .iter()
                 .filter(|strip| strip.location.rotor.as_deref() == Some(name.as_str()));
             let mut found = doubts(&rotor, words);
+            found.extend(averaged(&rotor).filter(|_| self.is_averaged));
             found.extend(supersonic(own.clone()));
             found.extend(stalled(&rotor, own).filter(|_| !self.omits_stall));
             for (doubt, text) in found {
@@ -159,6 +173,20 @@ fn doubts(air: &RotorAir, words: Words) -> Vec<(Doubt, String)> {
     }
     found.extend(of_wind(air, ratio, is_wind));
     found
+}
+
+/// A doubt about mean coefficients of a rotor in forward flight: the error grows with the square of the advance
+/// ratio.
+fn averaged(air: &RotorAir) -> Option<(Doubt, String)> {
+    let advance = air.edgewise / (air.turning.abs() * air.radius);
+    (advance > PERIODIC && advance.is_finite()).then(|| {
+        let text = format!(
+            "the averaged coefficients leave out the ones that vary over a turn, at an advance ratio of {}: \
+             compare the damping with by = \"Floquet\"",
+            short_number(advance, DIGITS)
+        );
+        (Doubt::Averaged, text)
+    })
 }
 
 /// A doubt about the wind of a rotor along its shaft, at a ratio of the speeds of tips and air.
@@ -264,6 +292,21 @@ mod tests {
     fn coefficients_are_the_ones_of_turbines() {
         let [thrust, power] = coefficients(&turbine());
         assert!((thrust - 0.75).abs() < 1e-12 && (power - 0.45).abs() < 1e-12);
+    }
+
+    // A helicopter at an advance ratio of 0.3, and in a climb.
+    #[test]
+    fn averaged_coefficients_are_for_slow_flight() {
+        let at = |edgewise: f64| {
+            averaged(&RotorAir {
+                edgewise,
+                turning: 20.0,
+                radius: 5.0,
+                ..turbine()
+            })
+        };
+        assert!(at(30.0).is_some_and(|own| own.1.contains("ratio of 0.3:")));
+        assert_eq!(at(9.0), None);
     }
 
     // rpm for rad/s makes the ratio pi / 30 of the one that was meant, and the other way round.

@@ -78,7 +78,8 @@ fn all_dampers_act() {
 }
 
 /// Four blades on lag hinges with nearly rigid beams, on a mast with springs.
-const RIGID: &str = "units = \"SI\"\n[properties.spar]\nea = 5e9\ngay = 5e9\ngaz = 5e9\ngj = 1e8\neiy = 1e9\neiz = 1e9\nm = 13\n\
+const RIGID: &str = "units = { length = \"m\", force = \"N\", angle = \"rad\", rotation_speed = \"rad/s\" }\n\
+    [properties.spar]\nea = 5e9\ngay = 5e9\ngaz = 5e9\ngj = 1e8\neiy = 1e9\neiz = 1e9\nm = 13\n\
     iy = 1e-6\niz = 1e-6\n[parameters]\nspeed = 26\n\
     [[node]]\nname = \"mast\"\nposition = [0, 0, 0]\n\
     [[body]]\nname = \"mast\"\nnode = \"mast\"\nmass = 3000\ninertia = [1000, 1000, 1000]\n\
@@ -90,7 +91,7 @@ const RIGID: &str = "units = \"SI\"\n[properties.spar]\nea = 5e9\ngay = 5e9\ngaz
     [rotor.blade]\nhub_radius = 0.4\nproperties = \"spar\"\npiece = [{ length = 7.8, elements = 1 }]\n\
     [[rotor.hinge]]\nkind = \"lag\"\noffset = 0.4\ndamping = 2000\nstiffness = 1\n\
     [periodic]\nsteps = 24\n\
-    [stability]\nby = \"averaged\"\nparameter = \"speed\"\nvalues = [20, 26]\nboundaries = false\ncount = 12\n";
+    [stability]\nby = \"averaged\"\nparameter = \"speed\"\nvalues = [20, 26]\nboundaries = false\n";
 
 // Coleman's equations of rigid blades [ColemanFeingold1958] in complex coordinates: with the mass M of all, the static
 // moment S and the inertia I of a blade about its hinge at e,

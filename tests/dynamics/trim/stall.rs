@@ -89,6 +89,23 @@ fn an_impossible_thrust_has_the_largest_one_and_stall() {
     assert!(point.controls[0].abs() < 0.7, "{point:?}");
 }
 
+// With two cyclic controls and the flapping as targets too, the thrust is the one that is named, and the others
+// are met.
+#[test]
+fn the_target_out_of_reach_is_named() {
+    let outcome = attempt(&rotor(ALL, &controls([0.1, 0.0, -0.02]), &targets(80e3)));
+    let point = &outcome.result.points[0];
+    let [reason, _] = point.failure.clone().unwrap();
+    let begin = "\"thrust\" is out of reach while all other targets are met: ";
+    assert!(reason.starts_with(begin), "{reason}");
+    assert!(reason.contains("are met up to \"thrust\" = "), "{reason}");
+    // Of scale one, to the part of it from which a target counts as not met.
+    for [found, required] in &point.targets[1..] {
+        assert!((found - required).abs() < 1e-3, "{point:?}");
+    }
+    assert!(point.targets[0][0] < 4e4, "{point:?}");
+}
+
 // The controls keep their first guesses: the equations are singular before the first step.
 #[test]
 fn controls_without_effect_do_not_change() {

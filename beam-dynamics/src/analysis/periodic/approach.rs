@@ -6,7 +6,9 @@
 //! ```
 //!
 //! with the means m_0 of the periodic motion with the controls of the first guess. Each motion begins at
-//! the one before; h is halved where Newton's method fails, and doubled after it succeeds.
+//! the one before; h is halved where Newton's method fails, and doubled after it succeeds. If it ends before
+//! the values, one target after the other stays at its last mean: the one without which all others have a
+//! motion is out of reach.
 
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
@@ -24,6 +26,8 @@ const LEAST: f64 = 1.0 / 32.0;
 const ITERATIONS: usize = 6;
 /// Part of the scale of a target from which it counts as not met.
 const NOT_MET: f64 = 1e-3;
+/// Largest number of targets that are tried as the one out of reach.
+const TRIED: usize = 3;
 
 /// The periodic motion with controls near the first state `state`, which becomes the last state of the
 /// search, or the last one with a motion.
@@ -58,7 +62,7 @@ pub(super) fn approach(
     let (mut part, mut step) = (0.0, FIRST);
     while step >= LEAST {
         let next = f64::min(part + step, 1.0);
-        let border = shooting.border.partly(&from, next);
+        let border = shooting.border.partly(&from, |_| next);
         let partly = Shooting {
             border: &border,
             settings: &short,
@@ -74,14 +78,52 @@ pub(super) fn approach(
             Err(_) => step *= 0.5,
         }
     }
+    let partly = Shooting {
+        settings: &short,
+        ..*shooting
+    };
+    let found = without_one(&partly, flow, (state, &met), passes);
+    let (beyond, met) = match found {
+        Some((index, orbit)) => (Some(shooting.border.target_name(index)), orbit),
+        None => (None, met),
+    };
     state.copy_from(&met.state);
-    Err(limited(shooting, first, &met, passes))
+    Err(limited(shooting, (first, beyond), &met, passes))
+}
+
+/// The index of a target without which the other ones are met, the farthest first, with the motion in which they
+/// are; `None` without others, or if there is no such motion near the last one.
+fn without_one(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    (state, met): (&mut State, &Orbit),
+    passes: &mut Passes<'_>,
+) -> Option<(usize, Orbit)> {
+    let reached = shooting.border.reached(&met.end);
+    let errors = shooting.border.errors(&reached);
+    let mut open: Vec<_> = (0..errors.len()).collect();
+    open.retain(|index| errors[*index].abs() > NOT_MET);
+    open.sort_by(|a, b| errors[*b].abs().total_cmp(&errors[*a].abs()));
+    if errors.len() < 2 {
+        return None;
+    }
+    open.into_iter().take(TRIED).find_map(|index| {
+        let is_free = |target| if target == index { 0.0 } else { 1.0 };
+        let border = shooting.border.partly(&reached, is_free);
+        let others = Shooting {
+            border: &border,
+            ..*shooting
+        };
+        state.copy_from(&met.state);
+        let orbit = others.solve(flow, state, passes).ok()?;
+        Some((index, orbit))
+    })
 }
 
 /// The failure of a search that ended at a motion on its way.
 fn limited(
     shooting: &Shooting<'_>,
-    first: PeriodicFailure,
+    (first, beyond): (PeriodicFailure, Option<&str>),
     met: &Orbit,
     passes: &mut Passes<'_>,
 ) -> PeriodicFailure {
@@ -97,6 +139,9 @@ fn limited(
     });
     PeriodicFailure::Limited {
         first: Box::new(first),
+        beyond: beyond.map_or_else(String::new, |name| {
+            format!("\"{name}\" is out of reach while all other targets are met: ")
+        }),
         reached: shooting.border.differences(&reached, NOT_MET),
         controls: shooting.border.written(&met.state),
         stall: String::new(),

@@ -80,13 +80,18 @@ impl Border {
         }
     }
 
-    /// The same with targets at a `part` of the way from given means to their values.
-    pub fn partly(&self, from: &[f64], part: f64) -> Self {
+    /// The same with each target at a `part` of the way from given means to its value, by its index.
+    pub fn partly(&self, from: &[f64], part: impl Fn(usize) -> f64) -> Self {
         let mut border = self.clone();
-        for (target, from) in border.of_targets.iter_mut().zip(from) {
-            target.value = from + part * (target.value - from);
+        for (index, (target, from)) in border.of_targets.iter_mut().zip(from).enumerate() {
+            target.value = from + part(index) * (target.value - from);
         }
         border
+    }
+
+    /// The name of a target by its index.
+    pub fn target_name(&self, index: usize) -> &str {
+        &self.of_targets[index].name
     }
 
     /// The targets that means differ from by a part of their scales, with both, as text.

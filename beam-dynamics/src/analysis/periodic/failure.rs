@@ -61,12 +61,14 @@ pub enum PeriodicFailure {
     },
     /// Targets that grow from the means with the first guesses are met up to a part of the way only.
     #[error(
-        "{first}; targets that change from their values at the first guess are met up to {reached}, \
-         with {controls}{stall}"
+        "{beyond}targets that change from their values at the first guess are met up to {reached}, \
+         with {controls}{stall}; the search for all targets at once: {first}"
     )]
     Limited {
         /// The failure of the search without growing targets.
         first: Box<PeriodicFailure>,
+        /// The target that is out of reach as text, perhaps empty.
+        beyond: String,
         /// The last values of the targets, as text.
         reached: String,
         /// The controls with their values there, as text.
@@ -157,6 +159,7 @@ impl PeriodicFailure {
             (
                 Self::Limited {
                     first,
+                    beyond,
                     reached,
                     controls,
                     ..
@@ -164,6 +167,7 @@ impl PeriodicFailure {
                 Some(found),
             ) => Self::Limited {
                 first,
+                beyond,
                 reached,
                 controls,
                 stall: format!("; there {}", found.text("over the period")),

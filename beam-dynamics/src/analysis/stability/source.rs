@@ -83,7 +83,7 @@ impl<'a> Source<'a> {
             count: settings.count.unwrap_or(COMPUTED[0]),
             complete_to: None,
             is_double: false,
-            operation: Operation::default(),
+            operation: Operation::of_averaged(settings.method == StabilityMethod::Averaged),
             left_out: LeftOut::default(),
         }
     }
