@@ -21,6 +21,7 @@ mod malformed;
 mod messages;
 mod mirrored;
 mod mirrored_stiffness;
+mod names;
 mod narrow;
 mod nose;
 mod prevabs;
