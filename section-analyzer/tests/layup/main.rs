@@ -15,6 +15,7 @@ mod edge_webs;
 mod equal;
 mod files;
 mod fills;
+mod holes;
 mod invariances;
 mod keys;
 mod malformed;

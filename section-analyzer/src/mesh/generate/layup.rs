@@ -26,6 +26,7 @@ mod failures;
 mod feet;
 mod fill;
 mod front;
+mod hole;
 mod kinks;
 pub(super) mod line;
 mod mitre;
@@ -46,7 +47,7 @@ pub(super) mod wall;
 mod webs;
 
 pub use outline::Outline;
-pub use problem::{LayupProblem, Upright};
+pub use problem::{Hole, LayupProblem, Upright};
 pub use types::{
     Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, SparWeb, Web, WebPly,
 };

@@ -97,6 +97,7 @@ impl Wall {
         };
         let wall = made((outline, None))?;
         wall.check_spar()?;
+        wall.check_closed()?;
         let Some(tight) = wall.tight_space() else {
             return Ok(wall);
         };
