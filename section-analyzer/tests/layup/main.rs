@@ -33,6 +33,7 @@ mod shapes;
 mod silent;
 mod spars;
 mod stations;
+mod thin_noses;
 mod windio;
 mod windio_rules;
 mod windio_span;

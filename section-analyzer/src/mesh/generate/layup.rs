@@ -23,6 +23,7 @@ mod butt;
 pub(super) mod cells;
 mod column;
 mod failures;
+mod fan;
 mod feet;
 mod fill;
 mod front;
