@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use shared_geom::document::basic_string;
 use shared_geom::line::{Course as LineCourse, LinePoint, ReferenceLine};
 
 use crate::input::layup::{
@@ -22,7 +23,7 @@ pub fn layup_file(layup: &Layup, source: &str) -> String {
 fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     let unit = layup.unit;
     if let Some(name) = &layup.name {
-        writeln!(text, "\nname = {name:?}")?;
+        writeln!(text, "\nname = {}", basic_string(name))?;
     }
     if !layup.stations.is_empty() {
         writeln!(text, "\nstations = {:?}", layup.stations)?;
@@ -33,7 +34,12 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
     }
     write_shape(text, layup)?;
     for (name, at) in &layup.places {
-        writeln!(text, "\n[place.{name:?}]\n{}", entries(at, unit).join("\n"))?;
+        writeln!(
+            text,
+            "\n[place.{}]\n{}",
+            basic_string(name),
+            entries(at, unit).join("\n")
+        )?;
     }
     for layer in &layup.layers {
         writeln!(text, "\n[[layer]]\n{}", rows_of(layer, unit).join("\n"))?;
@@ -48,11 +54,11 @@ fn write_file(text: &mut String, layup: &Layup) -> std::fmt::Result {
             writeln!(text, "profile = {:?}", layer.profile)?;
         }
         if let Some((web, _)) = &layer.web {
-            writeln!(text, "web = {web:?}")?;
+            writeln!(text, "web = {}", basic_string(web))?;
         }
     }
     for web in &layup.webs {
-        writeln!(text, "\n[[web]]\nname = {:?}", web.name)?;
+        writeln!(text, "\n[[web]]\nname = {}", basic_string(&web.name))?;
         for (side, at) in SIDES.iter().zip(&web.places) {
             writeln!(text, "{side} = {}", place(at, unit))?;
         }
@@ -97,12 +103,12 @@ fn write_shape(text: &mut String, layup: &Layup) -> std::fmt::Result {
 
 fn write_fills(text: &mut String, layup: &Layup) -> std::fmt::Result {
     for fill in &layup.fills {
-        writeln!(text, "\n[[fill]]\nname = {:?}", fill.name)?;
-        writeln!(text, "material = {:?}", fill.material)?;
+        writeln!(text, "\n[[fill]]\nname = {}", basic_string(&fill.name))?;
+        writeln!(text, "material = {}", basic_string(&fill.material))?;
         for (key, bound) in ["ahead_of", "aft_of"].iter().zip(&fill.bounds) {
             match bound {
                 None => {}
-                Some(FillBound::Web(name, _)) => writeln!(text, "{key} = {name:?}")?,
+                Some(FillBound::Web(name, _)) => writeln!(text, "{key} = {}", basic_string(name))?,
                 Some(FillBound::Plane(places)) => {
                     let mut entries = entries(&places[0], layup.unit);
                     entries.retain(|entry| !entry.starts_with("side"));
@@ -158,8 +164,8 @@ fn write_arcs(text: &mut String, line: &ReferenceLine, unit: f64) -> std::fmt::R
 /// The keys that layers and plies share.
 fn rows_of(layer: &WrittenLayer, unit: f64) -> Vec<String> {
     let mut rows = vec![
-        format!("name = {:?}", layer.name),
-        format!("material = {:?}", layer.material),
+        format!("name = {}", basic_string(&layer.name)),
+        format!("material = {}", basic_string(&layer.material)),
         format!("thickness = {}", course(&layer.thickness, unit)),
     ];
     if !layer.fiber_angle.is_zero() {
@@ -196,9 +202,10 @@ fn entries(place: &Place, unit: f64) -> Vec<String> {
             } else {
                 ('+', place.part)
             };
-            vec![format!("at = \"{name} {sign} {part:?}\"")]
+            let at = format!("{name} {sign} {part:?}");
+            vec![format!("at = {}", basic_string(&at))]
         }
-        PlaceForm::Named(name) => vec![format!("at = {name:?}")],
+        PlaceForm::Named(name) => vec![format!("at = {}", basic_string(name))],
     };
     if !place.shift.is_zero() {
         entries.push(format!("shift = {}", course(&place.shift, unit)));

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use shared_geom::document::basic_string;
+
 use crate::input::layup::{Layup, LayupMesh, Toward, table_name};
 
 /// The section file of a meshed layup, whose mesh is called `mesh`.
@@ -22,9 +24,9 @@ fn constants(layup: &Layup, meshed: &LayupMesh) -> String {
     let materials: Vec<&str> = names.filter_map(|name| layup.material_of(name)).collect();
     let is_used = |head: &str| match head.strip_prefix("material.") {
         Some(rest) if rest.starts_with(['"', '\'']) => {
-            let quote = &rest[..1];
-            let name = rest[1..].split(quote).next().unwrap_or_default();
-            materials.contains(&name)
+            let quoted = |name: &&str| [basic_string(name), format!("'{name}'")];
+            let mut quoted = materials.iter().flat_map(quoted);
+            quoted.any(|name| rest.starts_with(&name))
         }
         Some(rest) => {
             let end = rest.find(['.', ']', ' ']).unwrap_or(rest.len());
@@ -50,17 +52,19 @@ fn write_section(
     meshed: &LayupMesh,
     mesh: &str,
 ) -> std::fmt::Result {
-    writeln!(text, "mesh = {mesh:?}\n{}", constants(layup, meshed))?;
+    let file = basic_string(mesh);
+    writeln!(text, "mesh = {file}\n{}", constants(layup, meshed))?;
     let is_there = |group: &str| {
         let mut groups = meshed.mesh.groups.iter();
         groups.any(|known| known.dimension == 2 && known.name.as_deref() == Some(group))
     };
     let mut region = |group: &str, material: &str, angle: f64, follow: &str| {
         if is_there(group) {
+            let [group, material, follow] = [group, material, follow].map(basic_string);
             writeln!(
                 text,
-                "\n[[region]]\ngroup = {group:?}\nmaterial = {material:?}\n\
-                 fiber_angle = {}\nplane_angle = {{ follow = {follow:?} }}",
+                "\n[[region]]\ngroup = {group}\nmaterial = {material}\n\
+                 fiber_angle = {}\nplane_angle = {{ follow = {follow} }}",
                 degrees(angle)
             )
         } else {
@@ -106,8 +110,11 @@ fn write_fills(text: &mut String, layup: &Layup, meshed: &LayupMesh) -> std::fmt
             let angles = [written.fiber_angle, written.plane_angle].map(degrees);
             writeln!(
                 text,
-                "\n[[region]]\ngroup = {:?}\nmaterial = {:?}\nfiber_angle = {}\nplane_angle = {}",
-                fill.name, written.material, angles[0], angles[1]
+                "\n[[region]]\ngroup = {}\nmaterial = {}\nfiber_angle = {}\nplane_angle = {}",
+                basic_string(&fill.name),
+                basic_string(&written.material),
+                angles[0],
+                angles[1]
             )?;
         }
     }

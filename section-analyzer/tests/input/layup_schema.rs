@@ -18,7 +18,7 @@ const FILES: [&str; 4] = [
 /// units, materials, files, lines, and keys of which one excludes another.
 const OF_MEANING: [&str; 27] = [
     "has no \"eta\"",
-    "a name of letters",
+    "a name in one line",
     "expected more than 0",
     "is not in the file",
     "is the name of another",

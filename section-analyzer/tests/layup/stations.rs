@@ -32,9 +32,10 @@ fn stations(name: &str) -> Vec<Value> {
 /// Meshed areas of the layers of more than 1 % of a station, relative to thickness times width on
 /// the curved surface, of the independent mesher without the part that its contacts cut, or of ours
 /// without mitres, which close more bases by a wall; the worst one.
-fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
+fn worst_area(layup: &Layup, station: &Value) -> (String, f64) {
     let eta = number(&station["eta"]);
-    let meshed = layup.mesh(eta).map_err(|problems| problems.to_string())?;
+    let meshed = layup.mesh(eta);
+    let meshed = meshed.unwrap_or_else(|problems| panic!("{eta}: {problems}"));
     let expected = station["areas"].as_object();
     let of = |name: &str| {
         let mut all = expected?.iter();
@@ -51,7 +52,7 @@ fn worst_area(layup: &Layup, station: &Value) -> Result<(String, f64), String> {
     };
     let worst = large.filter_map(error);
     let worst = worst.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    Ok(worst.unwrap_or((String::new(), 0.0)))
+    worst.unwrap_or((String::new(), 0.0))
 }
 
 /// Differences of the measures of a station from the ones of a source of the reference.
@@ -65,31 +66,24 @@ fn differences(layup: &Layup, station: &Value, sources: [&str; 2]) -> [[f64; 5];
     })
 }
 
-/// Areas of the layers are within 0.5 % at 75 of the 76 stations. The tip of IEA-10 is refused by the name of a
-/// layer: walls of 14 mm in a nose of 2 mm.
+/// Areas of the layers are within 0.5 % at 75 of the 76 stations. At the tip of IEA-10, with walls of 14 mm in a
+/// nose of 2 mm, up to a twentieth of a layer is cut.
 #[test]
 fn all_stations_of_public_blades_are_meshed() {
-    let mut counts = [0, 0];
+    let mut count = 0;
     for [name, file] in BLADES {
         let layup = blade(file);
         for station in stations(name) {
             let eta = number(&station["eta"]);
-            match worst_area(&layup, &station) {
-                Err(problem) => {
-                    println!("{name} {eta}: {problem}");
-                    assert!(problem.contains("layer \""), "{problem}");
-                    assert!((name, eta) == ("iea10", 1.0), "{name} {eta}: {problem}");
-                    counts[1] += 1;
-                }
-                Ok((layer, error)) => {
-                    println!("{name} {eta}: {layer} {:.3} %", 100.0 * error);
-                    assert!(error.abs() < 5e-3, "{name} {eta}: {layer} {error}");
-                    counts[0] += 1;
-                }
-            }
+            let (layer, error) = worst_area(&layup, &station);
+            println!("{name} {eta}: {layer} {:.3} %", 100.0 * error);
+            let is_crowded = (name, eta) == ("iea10", 1.0);
+            let most = if is_crowded { 0.05 } else { 5e-3 };
+            assert!(error.abs() < most, "{name} {eta}: {layer} {error}");
+            count += 1;
         }
     }
-    assert_eq!(counts, [75, 1]);
+    assert_eq!(count, 76);
 }
 
 /// At 101 positions of IEA-15 and IEA-3.4, and at two more where walls across the base begin and end, areas of layers of

@@ -248,12 +248,9 @@ impl Declared for Name {}
 impl Value for Name {
     fn read(table: &Table<'_>, key: &KeySchema) -> Option<Self> {
         let text = table.text(key.name)?;
-        let fits = |letter: char| letter.is_alphanumeric() || "-_+./".contains(letter);
-        if text.is_empty() || !text.chars().all(fits) {
-            table.wrong(
-                key,
-                "a name of letters, digits, \"-\", \"_\", \"+\", \".\" and \"/\"",
-            );
+        if text.is_empty() || text != text.trim() || text.contains(char::is_control) {
+            let expected = "a name in one line, without blanks around it";
+            table.wrong(key, expected);
             return None;
         }
         Some(Self(text))

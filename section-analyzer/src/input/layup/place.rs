@@ -115,6 +115,15 @@ pub enum PlaceForm {
     Named(String),
 }
 
+/// Ends of the names of places of layers and webs.
+const PARTS: [&str; 6] = [".start", ".end", ".suction", ".pressure", ".fore", ".aft"];
+
+/// Whether the text behind a sign is a shift, and not the rest of a name with a sign in it.
+fn is_shift(text: &str) -> bool {
+    let is_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+    is_number && !PARTS.iter().any(|part| text.ends_with(part))
+}
+
 impl Place {
     /// A part of the contour.
     pub fn arc(part: f64) -> Self {
@@ -144,7 +153,10 @@ impl Place {
     fn named(text: &str) -> Result<Self, String> {
         let text = text.replace('\t', " ");
         let signs = [(" + ", 1.0), (" - ", -1.0)];
-        let found = signs.map(|(word, sign)| Some((text.rfind(word)?, sign)));
+        let found = signs.map(|(word, sign)| {
+            let at = text.rfind(word)?;
+            is_shift(text[at + 3..].trim()).then_some((at, sign))
+        });
         let Some((at, sign)) = found.into_iter().flatten().max_by_key(|found| found.0) else {
             return Ok(Self::of(PlaceForm::Named(text.trim().to_owned())));
         };

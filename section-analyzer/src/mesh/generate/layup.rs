@@ -23,9 +23,11 @@ mod butt;
 pub(super) mod cells;
 mod column;
 mod failures;
+mod fan;
 mod feet;
 mod fill;
 mod front;
+mod hole;
 mod kinks;
 pub(super) mod line;
 mod mitre;
@@ -46,7 +48,7 @@ pub(super) mod wall;
 mod webs;
 
 pub use outline::Outline;
-pub use problem::{LayupProblem, Upright};
+pub use problem::{Hole, LayupProblem, Upright};
 pub use types::{
     Bound, Fill, Layer, LayerArea, LayupSection, MeshedLayup, Spar, SparWeb, Web, WebPly,
 };

@@ -12,6 +12,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use shared_geom::document::basic_string;
 use shared_geom::error::quoted;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::windio_fields::numbers;
@@ -107,7 +108,7 @@ fn table(node: &Node, name: &str, treatment: Materials, notes: &mut Notes) -> Op
     let density = required(node, &of, "rho", notes).and_then(|at| values::<1>(at, &of, notes));
     let is_orthotropic = matches!(node.entry("E").map(|e| &e.value), Some(Value::List(_)));
     remark_on_kind(node, &of, is_orthotropic, notes);
-    let mut text = format!("\n[material.{name:?}]\n");
+    let mut text = format!("\n[material.{}]\n", basic_string(name));
     let law = if is_orthotropic {
         orthotropic(node, &of, treatment, notes)
     } else {
@@ -244,7 +245,7 @@ fn strength(node: &Node, name: &str, is_orthotropic: bool, notes: &mut Notes) ->
     let others = others.filter_map(|(key, source)| Some((*key, at(*source)?)));
     let rows = needed.chain(others);
     let rows = rows.map(|(key, value)| format!("{key} = {value:?}\n"));
-    format!("\n[material.{name:?}.strength]\n") + &rows.collect::<String>()
+    format!("\n[material.{}.strength]\n", basic_string(name)) + &rows.collect::<String>()
 }
 
 /// The slopes `m` of S-N lines, at the end of the table of strengths, if there is one; the stress `A` at

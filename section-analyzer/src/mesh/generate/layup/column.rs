@@ -14,6 +14,9 @@ use super::bend::{Bend, Lean};
 use super::pairs::Pair;
 use super::wall::{Edge, Wall};
 
+/// Part of the thickness of a layer below which nothing of it is left where it is cut.
+pub(super) const THIN: f64 = 0.03;
+
 /// The lean of a column toward the other side.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Toward {
@@ -65,7 +68,7 @@ impl Wall {
             return Column {
                 point,
                 direction: fan.unwrap_or_else(|| self.outline.inward(s)),
-                depths: self.depths(s, None),
+                depths: self.depths(self.stack.depths(s)),
                 bend: self.bend(s),
                 is_closed: false,
             };
@@ -112,11 +115,18 @@ impl Wall {
         let lean = pair.direction(side, &self.stack, shift);
         let direction = [0, 1].map(|i| (1.0 - weight) * n[i] + weight * lean[i]);
         let is_closed = weight >= 1.0 && !self.is_on_base(s);
-        let limit = is_closed.then(|| pair.limit(side, &self.stack));
+        let mut faces = self.stack.depths(s);
+        if is_closed {
+            let limit = pair.limit(side, &self.stack);
+            match pair.is_fan() {
+                true => self.cut_in_fan(&mut faces, limit),
+                false => self.cut(&mut faces, limit),
+            }
+        }
         Column {
             point: self.outline.position(s),
             direction,
-            depths: self.depths(s, limit),
+            depths: self.depths(faces),
             bend: None,
             is_closed,
         }
@@ -189,12 +199,8 @@ impl Wall {
         Some(Toward { weight, shift })
     }
 
-    /// Depths of the faces of layers and of the cells in them, cut at a limit.
-    fn depths(&self, s: f64, limit: Option<f64>) -> Vec<f64> {
-        let mut faces = self.stack.depths(s);
-        if let Some(limit) = limit {
-            self.cut(&mut faces, limit);
-        }
+    /// Depths of the cells in layers with these inner faces, and of the faces.
+    fn depths(&self, faces: Vec<f64>) -> Vec<f64> {
         let mut depths = vec![0.0];
         let mut outer = 0.0;
         for (layer, inner) in faces.into_iter().enumerate() {
@@ -209,7 +215,6 @@ impl Wall {
 
     /// Cuts layers at a depth, and stretches the innermost one to it.
     fn cut(&self, faces: &mut [f64], limit: f64) {
-        const THIN: f64 = 0.03;
         let count = faces.len();
         for face in faces.iter_mut() {
             *face = face.min(limit);

@@ -37,6 +37,32 @@ impl std::fmt::Display for Upright {
     }
 }
 
+/// Arcs of the shell without a layer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hole {
+    /// The layers before and behind it.
+    pub layers: [String; 2],
+    /// Its arcs [-].
+    pub arcs: [f64; 2],
+}
+
+impl std::fmt::Display for Hole {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [from, end] = self.arcs.map(short);
+        let [before, behind] = &self.layers;
+        write!(
+            to,
+            "from arc {from} to arc {end}, between layers \"{before}\" and \"{behind}\""
+        )
+    }
+}
+
+/// Texts of holes in a sentence.
+fn list(holes: &[Hole]) -> String {
+    let texts: Vec<String> = holes.iter().map(ToString::to_string).collect();
+    texts.join(", and ")
+}
+
 /// A layup that cannot be meshed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LayupProblem {
@@ -114,6 +140,12 @@ pub enum LayupProblem {
     /// No layer at the trailing edge.
     #[error("no layer reaches the trailing edge: nothing joins the two sides there")]
     Open,
+    /// Arcs without a layer.
+    #[error("no layer lies {}: nothing joins them there", list(.holes))]
+    Holes {
+        /// The holes.
+        holes: Vec<Hole>,
+    },
     /// Layers thicker than the radius of the largest inscribed circle.
     #[error("the layers are {} thick at arc {}, where the section leaves {}: layer \"{layer}\" does not fit; the thickest one there is \"{}\" with {}", short(*.thickness), short(*.arc), short(*.radius), .thickest.0, short(.thickest.1))]
     Tight {
@@ -308,6 +340,7 @@ impl LayupProblem {
             Self::SparPlies { web, .. }
             | Self::NoRoomAtEdge { web, .. }
             | Self::ContactAtEdge { web, .. } => Some(web),
+            Self::Holes { holes } => holes.first().map(|hole| hole.layers[0].as_str()),
             Self::TwoAtEdge { webs } => Some(&webs[1]),
             Self::WebArcs { web, .. }
             | Self::WebOutside { web, .. }
@@ -375,6 +408,10 @@ impl Explain for LayupProblem {
             Self::Tight {
                 thickness, radius, ..
             } if *thickness > FAR * radius => OTHER_UNIT,
+            Self::Holes { .. } => {
+                "let the second layer begin where the first one ends, or let a layer run over both ends: \
+                 shells of layups are closed"
+            }
             Self::Tight { .. } | Self::Meeting { .. } | Self::Crowded { .. } => {
                 "thinner layers there, or layers that end before it"
             }

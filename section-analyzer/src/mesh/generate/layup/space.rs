@@ -18,6 +18,9 @@ use super::wall::Wall;
 const FULL: f64 = 0.98;
 /// Samples around the contour in the search for radii.
 const SAMPLES: usize = 500;
+/// Samples of each side from the nose, closer toward it, and the part of the contour on which they are: the
+/// curvature may have a peak between the others.
+const AHEAD: (usize, f64) = (100, 0.05);
 /// Part of the contour within which two points of it are one.
 const SEAM: f64 = 1e-4;
 /// Part of the contour around the nose that is on both sides.
@@ -68,7 +71,13 @@ impl Wall {
             let side = usize::from(s > outline.nose());
             outline.is_smooth() || self.pairs.x(side, s) < FOREMOST
         };
-        let checked = points.iter().map(|(s, _)| *s).filter(|s| is_checked(*s));
+        let (count, reach) = AHEAD;
+        let ahead = (1..=count).flat_map(|i| {
+            let off = reach * outline.perimeter() * (i as f64 / count as f64).powi(2);
+            [outline.nose() - off, outline.nose() + off]
+        });
+        let checked = points.iter().map(|(s, _)| *s).chain(ahead);
+        let checked = checked.filter(|s| is_checked(*s));
         let places = checked.map(|s| (s, self.stack.total(s), self.radius(s, &points)));
         // places of equal parts are in one order for mirror images
         let off = |s: f64| (s - 0.5 * outline.perimeter()).abs();

@@ -255,6 +255,12 @@ impl Stack {
         &self.courses[layer].name
     }
 
+    /// Arc lengths at which a layer starts and ends.
+    pub fn ends(&self, layer: usize) -> [f64; 2] {
+        let Course { middle, width, .. } = &self.courses[layer];
+        [middle - 0.5 * width, middle + 0.5 * width]
+    }
+
     /// The thickest layer at an arc length, and its thickness.
     pub fn thickest(&self, s: f64) -> (String, f64) {
         let all = (0..self.len()).map(|layer| (layer, self.thickness(layer, s)));

@@ -18,6 +18,8 @@ use super::webs::Standing;
 const TURN: f64 = 0.14;
 /// Part of the distance of a station beside a corner within which another one takes its place.
 const NEAR_CORNER: f64 = 0.3;
+/// Part of the contour, and of x, within which stations are one.
+const SAME: f64 = 1e-10;
 /// Round-off of a number of cells.
 const ROUND_OFF: f64 = 1e-6;
 /// Samples of the density of stations in an interval.
@@ -62,6 +64,8 @@ enum Kind {
 
 /// The stations of a wall with its webs.
 pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
+    let perimeter = wall.outline.perimeter();
+    let same = SAME * perimeter;
     let mut pairs = Vec::new();
     let mut fixed: Vec<Station> = Vec::new();
     for zone in &wall.zones {
@@ -70,13 +74,13 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
             let pair = Some(pairs.len());
             let lean = wall.toward_at(mark.at).unwrap_or(Toward::NONE);
             pairs.push((wall.pairs.between(s), lean));
-            // both points are one at the nose
-            let is_nose = s[0] >= s[1];
-            let points = s.into_iter().take(if is_nose { 1 } else { 2 });
+            // both points are one at the nose, but for round-off
+            let is_nose = s[1] - s[0] <= same;
+            let nose = Some(wall.outline.nose()).filter(|_| is_nose);
+            let points = s.into_iter().filter(|_| !is_nose).chain(nose);
             fixed.extend(points.map(|s| Station { s, pair }));
         }
     }
-    let perimeter = wall.outline.perimeter();
     let single = |s: f64| Station { s, pair: None };
     let mut singles = vec![wall.outline.nose()];
     singles.extend(wall.outline.breaks().iter().map(|corner| corner.s));
@@ -87,7 +91,6 @@ pub(super) fn stations(wall: &Wall, webs: &[Standing]) -> Stations {
     singles.extend(wall.edge.is_ring().then_some(0.0));
     let of_webs = webs.iter().flat_map(|web| web.stations.iter().flatten());
     singles.extend(of_webs);
-    let same = 1e-10 * perimeter;
     let is_new = |s: &f64, fixed: &[Station]| fixed.iter().all(|known| (known.s - s).abs() > same);
     for s in singles {
         if is_new(&s, &fixed) {
@@ -243,7 +246,6 @@ fn zone_marks(wall: &Wall, webs: &[Standing], [from, to]: [f64; 2]) -> Vec<Mark>
 
 /// Marks in order, without soft ones near others, and without doubled ones.
 fn thinned(marks: Vec<Mark>, near: f64) -> Vec<Mark> {
-    const SAME: f64 = 1e-10;
     let mut kept: Vec<Mark> = Vec::new();
     let of = |is_kind: fn(&Mark) -> bool| marks.iter().copied().filter(is_kind);
     let fixed = of(|mark| mark.kind == Kind::Fixed);

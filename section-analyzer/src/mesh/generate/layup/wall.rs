@@ -81,6 +81,8 @@ pub(in super::super) struct Wall {
     pub spar: Option<SparWall>,
     /// The circles ahead, if layers meet there.
     front: Option<Front>,
+    /// Whether something of each layer is left in the fan ahead, if it is full.
+    pub in_fan: Vec<bool>,
     /// The layer that is cut ahead, as a problem if that cannot be meshed.
     pub tight: Option<LayupProblem>,
 }
@@ -99,6 +101,7 @@ impl Wall {
         };
         let wall = made((outline, None))?;
         wall.check_spar()?;
+        wall.check_closed()?;
         let Some(tight) = wall.tight_space() else {
             return Ok(wall);
         };
@@ -235,6 +238,7 @@ impl Wall {
             fine: Vec::new(),
             size,
             front: front.cloned(),
+            in_fan: Vec::new(),
             tight: None,
         })
     }
@@ -375,6 +379,7 @@ impl Wall {
         if self.edge == Edge::Face {
             self.close_edge();
         }
+        self.in_fan = self.found_in_fan();
         let chord = self.chord();
         let mut zones: Vec<[f64; 2]> = Vec::new();
         let mut fineness: Vec<f64> = Vec::new();
