@@ -6,6 +6,9 @@ use super::super::super::short;
 
 /// Thickness of layers, in lengths that the section leaves, from which one of both is likely in another unit.
 const FAR: f64 = 20.0;
+/// Remedy of shells with holes.
+const CLOSED: &str = "let the second layer begin where the first one ends, or let a layer run over both ends: \
+     shells of layups are closed";
 /// The remedy.
 const OTHER_UNIT: &str = "check the units of the thickness and of the chord: a thickness in another unit than the \
                           one of the file has its unit, as \"8 mm\"; or let thick layers end before it";
@@ -408,10 +411,7 @@ impl Explain for LayupProblem {
             Self::Tight {
                 thickness, radius, ..
             } if *thickness > FAR * radius => OTHER_UNIT,
-            Self::Holes { .. } => {
-                "let the second layer begin where the first one ends, or let a layer run over both ends: \
-                 shells of layups are closed"
-            }
+            Self::Holes { .. } => CLOSED,
             Self::Tight { .. } | Self::Meeting { .. } | Self::Crowded { .. } => {
                 "thinner layers there, or layers that end before it"
             }
