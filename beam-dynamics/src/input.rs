@@ -402,6 +402,7 @@ fn check_rotation(
     if !rotors::check_starts(root, rotors, analyses, builder.hub()?) {
         rotating_start::check((document, root), builder, analyses);
     }
+    rotors::check_averaged(root, rotors, builder, analyses);
     check_air(root, builder, analyses);
     Some(())
 }

@@ -14,6 +14,10 @@
 //! `m omega x r`, which moves a free mass by `omega r / sigma` within it. The multipliers then
 //! hold the turning model, and the tension in its parts makes the tangent regular.
 //!
+//! A step is linear: a rotation `phi` stretches a stiff part by `phi^2 / 2`, and the force of this stretch
+//! may be far above the loads. Short steps, which are tried last, stretch it less: with them a blade falls
+//! onto its stop, which has no stiffness before the contact.
+//!
 //! References: [KelleyKeyes1998], pseudo-transient continuation.
 
 use super::balance::Balance;
@@ -22,8 +26,10 @@ use crate::solver::{Equations, Iteration, Newton, NewtonReport, NewtonStatus, so
 
 /// Largest correction of one step, relative to the size of the model or in radians.
 const LARGEST: f64 = 0.3;
-/// Correction below which Newton's method is tried from the state.
-const NEAR: f64 = 0.1;
+/// The same of short steps.
+const SHORT_LARGEST: f64 = 0.02;
+/// Correction below which Newton's method is tried from the state, over the largest one of a step.
+const NEAR: f64 = 1.0 / 3.0;
 /// Factor by which sigma falls after a step that succeeds, and rises after one that
 /// does not.
 const FALL: f64 = 3.0;
@@ -36,9 +42,10 @@ const LAST: f64 = 1e-4;
 /// Correction below which the equilibrium is found when the residual does not fall any more.
 const SETTLED: f64 = 1e-7;
 
-/// Moves `balance` to an equilibrium; the report of the last Newton iteration, with all steps in
+/// Moves `balance` to an equilibrium, by short steps or usual ones; the report of the last Newton iteration, with all steps in
 /// its history, or `None` if none was found.
-pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
+pub(super) fn settle(balance: &mut Balance<'_>, is_short: bool) -> Option<NewtonReport> {
+    let largest = if is_short { SHORT_LARGEST } else { LARGEST };
     let start = balance.state.clone();
     let speed = balance.conditions.frame.angular_velocity.norm();
     let mut sigma = f64::max(1.0, SHORT * speed);
@@ -52,19 +59,19 @@ pub(super) fn settle(balance: &mut Balance<'_>) -> Option<NewtonReport> {
             correction: size,
         });
         match found {
-            Some(correction) if size <= LARGEST => balance.correct(&correction),
+            Some(correction) if size <= largest => balance.correct(&correction),
             _ => {
                 sigma *= FALL;
                 continue;
             }
         }
         sigma /= FALL;
-        if size > NEAR {
+        if size > NEAR * largest {
             continue;
         }
         let mut trial = balance.clone();
         let limits = Newton {
-            largest: LARGEST,
+            largest,
             ..Newton::default()
         };
         let mut report = solve(&mut trial, &limits);

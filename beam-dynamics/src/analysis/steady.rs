@@ -16,6 +16,9 @@ use super::settling::{free_motion, settle, settle_freely};
 const SMALLEST_STEP: f64 = 1.0 / 256.0;
 /// Largest number of iterations after which the next step is twice as long.
 const QUICK: usize = 6;
+/// Correction of the shortest step, relative to the size of the model or in radians, beyond which a start has hardly
+/// any stiffness, as a blade above its stop.
+const WEAK: f64 = 0.1;
 /// Largest number of times that the states of annuli begin again at an equilibrium.
 const MOST_BEGUN: usize = 4;
 /// Difference of scalars, in parts of them, from the ones at which they begin: flaps and the Mach number with
@@ -277,8 +280,8 @@ fn advance(
         if report.status != NewtonStatus::Converged && reached == 0.0 && from != to {
             // Newton's method may fail at once for any length of the step.
             balance = start.at(between(from, to, next), state.clone());
-            if is_singular(start, from, to)
-                && let Some(settled) = settle(&mut balance)
+            if is_singular(start, from, to, Newton::default().largest)
+                && let Some(settled) = settle(&mut balance, false)
             {
                 iterations += settled.history.len();
                 report = settled;
@@ -294,7 +297,10 @@ fn advance(
         if report.status != NewtonStatus::Converged {
             step *= 0.5;
             if step < SMALLEST_STEP || from == to {
-                return Err(Box::new(no_equilibrium(&balance, next, report)));
+                let settled =
+                    (reached == 0.0 && from != to).then(|| settled_slowly(start, from, to));
+                let failure = || Box::new(no_equilibrium(&balance, next, report));
+                return settled.flatten().ok_or_else(failure);
             }
         } else if next < 1.0 {
             (reached, state) = (next, balance.state);
@@ -308,6 +314,21 @@ fn advance(
             });
         }
     }
+}
+
+/// The equilibrium under conditions by short steps, as of a blade that falls onto its stop.
+fn settled_slowly(start: &Balance<'_>, from: &Conditions, to: &Conditions) -> Option<Equilibrium> {
+    if !is_singular(start, from, to, WEAK) {
+        return None;
+    }
+    let mut balance = start.at(*to, start.state.clone());
+    let report = settle(&mut balance, true)?;
+    Some(Equilibrium {
+        state: balance.state,
+        conditions: *to,
+        iterations: report.history.len(),
+        residual: report.worst.relative,
+    })
 }
 
 /// Newton's method from a state whose scalars begin near their values at rest, as the velocities of annuli
@@ -344,8 +365,8 @@ fn solved<'a>(
     (balance, report)
 }
 
-/// Whether Newton's method diverges at once even for the shortest step.
-fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions) -> bool {
+/// Whether Newton's method begins with corrections beyond `largest` even for the shortest step.
+fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions, largest: f64) -> bool {
     let conditions = between(from, to, SMALLEST_STEP);
     let mut balance = start.at(conditions, start.state.clone());
     let limits = Newton {
@@ -353,7 +374,7 @@ fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions) -> bool 
         ..Newton::default()
     };
     let report = solve(&mut balance, &limits);
-    let astray = |size: f64| !size.is_finite() || size > limits.largest;
+    let astray = |size: f64| !size.is_finite() || size > largest;
     report.status == NewtonStatus::Singular
         || report.history.iter().any(|one| astray(one.correction))
 }

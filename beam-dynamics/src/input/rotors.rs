@@ -10,12 +10,13 @@ use shared_geom::document::{Card, Document, Table};
 use shared_geom::error::Diagnostics;
 
 use super::analyses::Analyses;
+use super::builder::ModelBuilder;
 use super::declare;
 use super::hub::{HUB, Hub};
 use super::periodic;
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
-use crate::case::{PeriodicSettings, Start, TransientSettings};
+use crate::case::{PeriodicSettings, StabilityMethod, Start, TransientSettings};
 
 mod arms;
 mod base;
@@ -67,6 +68,9 @@ const SAME_AXIS: f64 = 1e-9;
 /// a thousandth of a degree in the first turn.
 const WRITTEN: f64 = 1.5e-6;
 
+/// Least number of blades of averaged coefficients.
+const LEAST_AVERAGED: usize = 3;
+
 /// A rotor of an input, for checks of its analyses.
 #[derive(Debug, Clone)]
 pub(super) struct PlacedRotor {
@@ -80,6 +84,8 @@ pub(super) struct PlacedRotor {
     unsteady: Option<&'static str>,
     /// The node that carries its shaft, as of a tower, if there is one.
     carrier: Option<String>,
+    /// Number of its blades.
+    blades: usize,
     /// Whether its blades have strips in the air.
     has_air: bool,
     /// Whether its drive has a free wheel.
@@ -114,6 +120,7 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
         carrier: rotor.base.carrier.clone(),
+        blades: rotor.base.count,
         has_air: rotor.has_air(),
         name: rotor.base.name,
         line: rotor.base.line,
@@ -136,6 +143,30 @@ pub(super) fn turning(rotors: &Rotors) -> Option<Vec<(&str, f64)>> {
     let rotors = rotors.as_deref().ok()?.iter();
     let turning = rotors.filter_map(|rotor| Some((rotor.name.as_str(), rotor.speed?)));
     Some(turning.filter(|(_, speed)| *speed != 0.0).collect())
+}
+
+/// Notes `[stability]` by averaged coefficients if a rotor, or the model, has too few blades.
+pub(super) fn check_averaged(
+    root: &Table<'_>,
+    rotors: &Rotors,
+    builder: &ModelBuilder,
+    analyses: &Analyses,
+) {
+    let own = analyses.stability.as_ref();
+    let is_averaged = own.is_some_and(|own| own.method == StabilityMethod::Averaged);
+    let is_whole = !builder.has_broken_rotors();
+    let (true, Ok(rotors)) = (is_averaged && is_whole, rotors) else {
+        return;
+    };
+    let of_rotors = rotors.iter().map(|rotor| {
+        let subject = format!("rotor \"{}\"", rotor.name);
+        (subject, rotor.blades)
+    });
+    let mut all = of_rotors.chain([("the model".to_owned(), builder.blades().len())]);
+    let few = all.find(|(_, blades)| *blades < LEAST_AVERAGED);
+    if let Some(((subject, blades), table)) = few.zip(root.table("stability")) {
+        table.note("by", &RotorRunProblem::FewBlades { subject, blades });
+    }
 }
 
 /// The names of all rotors that have one.

@@ -9,7 +9,8 @@
 //! c_s = (c_l - f c_i)/(1 - f) = c_i (1 + 3 sqrt f)/(4 (1 + sqrt f)),   c_l/2 if f = 1
 //! ```
 //!
-//! f fades to zero between 40 and 45 deg on both sides. alpha_0 is the rising zero of the lift
+//! f fades to zero between 40 and 45 deg, on each side where it is less than 0.7 at 40 deg: the lift of airfoils
+//! without stall rises further. alpha_0 is the rising zero of the lift
 //! that is nearest to zero; s is the least-squares slope through it, over 5 deg on both sides.
 //! Both curves are monotone cubics through samples, every half degree up to 50 deg: derivatives
 //! are continuous.
@@ -39,6 +40,9 @@ const STEPS: [u32; 2] = [100, 152];
 
 /// Angles at which the fade of attached flow begins and ends \[deg\].
 const FADE_DEG: [f64; 2] = [40.0, 45.0];
+
+/// Part of the chord with attached flow at the first of these angles, from which on a side has no stall \[-\].
+const UNSTALLED: f64 = 0.7;
 
 /// Range of the fit on both sides of zero lift \[deg\].
 const FIT_DEG: f64 = 5.0;
@@ -100,13 +104,18 @@ impl Separation {
     fn sampled(lift: &dyn Fn(f64) -> f64, slope: f64, zero_lift: f64) -> Self {
         let alpha = angles();
         let part = parts(&alpha, lift, slope, zero_lift);
+        let has_stall = stalls(&alpha, &part);
         let pairs = alpha.iter().zip(&part);
         let split = pairs.map(|(angle, part)| {
             split(
                 lift(*angle),
                 slope * (angle - zero_lift),
                 *part,
-                fade(*angle),
+                if has_stall[usize::from(*angle > 0.0)] {
+                    fade(*angle)
+                } else {
+                    1.0
+                },
             )
         });
         let (attached, separated): (Vec<f64>, Vec<f64>) = split.unzip();
@@ -260,6 +269,15 @@ fn parts(alpha: &[f64], lift: &dyn Fn(f64) -> f64, slope: f64, zero_lift: f64) -
         }
     }
     parts
+}
+
+/// Whether the flow is separated where its fade begins, at negative and at positive angles.
+fn stalls(alpha: &[f64], parts: &[f64]) -> [bool; 2] {
+    let begin = FADE_DEG[0].to_radians();
+    [-begin, begin].map(|begin| {
+        let sample = alpha.partition_point(|angle| *angle < begin);
+        parts.get(sample).is_none_or(|part| *part < UNSTALLED)
+    })
 }
 
 /// The faded attached part, and the separated lift that gives the static lift with it.

@@ -1,10 +1,10 @@
-//! Stops of hubs that tilt, in equilibrium.
+//! Stops of hubs that tilt and of flap hinges, in equilibrium.
 
 use beam_dynamics::analysis::statics::statics;
 use nalgebra::Vector3;
 use shared_geom::rotation::vector;
 
-use super::{TIP, parsed, rotor};
+use super::{MASS, ROOT, TIP, parsed, rotor};
 
 /// Force across a tip \[N\].
 const FORCE: f64 = 100.0;
@@ -88,5 +88,36 @@ fn a_gimballed_hub_rests_on_its_stop_in_every_direction() {
             across.abs() + turn.z.abs() < 1e-3 * angle,
             "{azimuth}: {turn}"
         );
+    }
+}
+
+// A blade at rest falls onto its droop stop, which has no stiffness before the contact: the moment of its weight about
+// the hinge, m g L^2/2 cos x, is k/2 (d + sqrt(d^2 + w^2)) at the depth d, to round-off of the rigid blade. The upper
+// stop has 1e-4 of it.
+#[test]
+fn a_blade_falls_onto_its_stop() {
+    for stiffness in [50.0, 500.0, 5000.0_f64] {
+        let keys = format!(
+            "speed = 0\n[[rotor.hinge]]\nkind = \"flap\"\n\
+             stop = {{ lower = -4, upper = 25, stiffness = {stiffness:?} }}\n"
+        );
+        let cards = "[gravity]\nacceleration = [0, 0, -9.81]\n[static]\n";
+        let input = parsed(&rotor("articulated", 3, &keys, cards));
+        let outcome = statics(&input.model, &input.statics.unwrap());
+        assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+        let nodes = input.model.system.nodes();
+        let last = outcome.result.steps.last().unwrap();
+        let tips = nodes.iter().zip(&last.positions);
+        let tips = tips.filter(|(node, _)| node.label.ends_with("/tip"));
+        let drops: Vec<f64> = tips.map(|(_, at)| -at.z / (TIP - ROOT)).collect();
+        assert_eq!(drops.len(), 3);
+        for angle in drops.into_iter().map(f64::asin) {
+            let depth = angle - f64::to_radians(4.0);
+            let width = f64::to_radians(0.1);
+            let found = 0.5 * stiffness * (depth + depth.hypot(width));
+            let expected = 0.5 * MASS * 9.81 * (TIP - ROOT).powi(2) * angle.cos();
+            let error = (found / expected - 1.0).abs();
+            assert!(error < 1e-3, "{stiffness}: {found} {expected}");
+        }
     }
 }

@@ -144,18 +144,27 @@ fn the_difference_grows_with_the_square_of_the_advance_ratio() {
     assert!(off[2] < 0.02 * SPEED, "{off:?}");
 }
 
+// Each of several rotors needs three blades, which the file shows: one problem at the line of `by`.
 #[test]
-fn rotors_without_multiblade_coordinates_are_refused() {
-    let card = "[stability]\nby = \"averaged\"\nparameter = \"p\"\nvalues = [1e6, 2e6]\n";
-    let two = on_a_mast(24.0).replace("blades = 3", "blades = 2");
-    let result = attempt(&format!("{two}{card}"));
-    assert!(result.failures.len() == 2, "{:?}", result.failures);
-    let [reason, remedy] = &result.failures[0].1;
-    assert_eq!(reason, "the rotor has fewer than three blades");
-    assert_eq!(
-        remedy,
-        "choose by = \"Floquet\", which holds for all rotors"
-    );
+fn rotors_of_two_blades_are_refused() {
+    let card = "[stability]\nparameter = \"p\"\nvalues = [1.6e6, 2e6]\nby = \"averaged\"\n";
+    let other = "[[rotor]]\nname = \"s\"\nhub = \"rigid\"\nblades = 2\nspeed = 24\ncenter = [9, 0, 0]\n\
+                 axis = [0, 1, 0]\n[rotor.blade]\nhub_radius = 0.4\nproperties = \"spar\"\n\
+                 piece = [{ length = 1, elements = 1 }]\n";
+    let three = on_a_mast(24.0);
+    let two = three.replace("blades = 3", "blades = 2");
+    for (model, rotor) in [(two, "r"), (format!("{three}{other}"), "s")] {
+        let text = format!("units = \"SI\"\n{model}{card}");
+        let line = text.lines().count();
+        let problems = input::parse(&text, "a.dynamics.toml").unwrap_err();
+        let shown = problems.to_string();
+        let expected = format!(
+            "error: a.dynamics.toml:{line}: \"by\" is \"averaged\", but rotor \"{rotor}\" has 2 blades, \
+             expected at least three\n  help: write by = \"Floquet\""
+        );
+        assert!(shown.starts_with(&expected), "{shown}");
+        assert_eq!(shown.matches("error").count(), 1, "{shown}");
+    }
 }
 
 // A damper or a mass on one blade makes coefficients that are periodic also in hover, whose means are other
@@ -189,19 +198,6 @@ fn blades_that_differ_are_refused() {
             assert!(remedy.contains("by = \"Floquet\""), "{remedy}");
         }
     }
-}
-
-// Each of several rotors needs three blades.
-#[test]
-fn a_second_rotor_of_two_blades_is_refused() {
-    let card = "[stability]\nby = \"averaged\"\nparameter = \"p\"\nvalues = [1.6e6, 2e6]\n";
-    let other = "[[rotor]]\nname = \"s\"\nhub = \"rigid\"\nblades = 2\nspeed = 24\ncenter = [9, 0, 0]\n\
-                 axis = [0, 1, 0]\n[rotor.blade]\nhub_radius = 0.4\nproperties = \"spar\"\n\
-                 piece = [{ length = 1, elements = 1 }]\n";
-    let result = attempt(&format!("{}{other}{card}", on_a_mast(24.0)));
-    assert_eq!(result.failures.len(), 2, "{:?}", result.failures);
-    let [reason, _] = &result.failures[0].1;
-    assert_eq!(reason, "the rotor has fewer than three blades");
 }
 
 // Stiff blades with dampers between them: infinite values of constraints become ones near the shift by

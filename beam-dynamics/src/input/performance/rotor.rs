@@ -56,7 +56,8 @@ keys! {
         "\"stations\"";
     /// Number of panels.
     PANELS: Option<usize> = "panels", [Count(2000)], or "60", "120";
-    /// Stations from the hub to the tip.
+    /// Stations from the hub to the tip. Panels beyond the first and the last one, up to `hub_radius` and
+    /// `tip_radius`, have the shape of these stations.
     STATIONS: ByHand = "stations", [Tables(&stations::CARD)], optional, "";
     /// Mach numbers of operating points beyond the tables of an airfoil: an error, or the values
     /// of the last table.

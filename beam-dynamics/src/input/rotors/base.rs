@@ -103,6 +103,8 @@ pub(super) struct Hinge {
     pub offset: f64,
     /// Spring, damper and stops.
     pub restraint: Restraint,
+    /// Whether its stiffness is written, zero included.
+    pub has_stiffness: bool,
     /// A damper beside the one of the restraint.
     pub damper: Option<DamperLaw>,
 }

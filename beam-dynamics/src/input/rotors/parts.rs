@@ -225,6 +225,7 @@ pub(super) fn hinges(table: &Table<'_>, root: f64) -> Option<Vec<Hinge>> {
             kind,
             offset,
             restraint,
+            has_stiffness: table.has(STIFFNESS.name()),
             damper,
         })
     })
@@ -237,6 +238,7 @@ fn add_bearing(hinges: &mut Vec<Hinge>, root: f64) {
             kind: PITCH,
             offset: root,
             restraint: Restraint::default(),
+            has_stiffness: false,
             damper: None,
         });
     }

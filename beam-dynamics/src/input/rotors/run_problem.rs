@@ -1,6 +1,6 @@
 //! Problems of rotors with the runs and periods of a file.
 
-use shared_geom::error::Explain;
+use shared_geom::error::{Explain, counted};
 
 use crate::input::short_number;
 
@@ -43,6 +43,17 @@ pub enum RotorRunProblem {
         /// Node of the shaft.
         carrier: String,
     },
+    /// Averaged coefficients of too few blades.
+    #[error(
+        "\"by\" is \"averaged\", but {subject} has {}, expected at least three",
+        counted(*.blades, "blade")
+    )]
+    FewBlades {
+        /// The rotor, or the model, as text.
+        subject: String,
+        /// Its number of blades.
+        blades: usize,
+    },
     /// A run whose first instant is between whole turns.
     #[error(
         "rotor \"{name}\" has turned by {} deg at the first instant, \"from\" of {card}, {} s, but the \
@@ -76,6 +87,10 @@ impl Explain for RotorRunProblem {
             }
             Self::CarriedStart { .. } => {
                 "write start = \"given\", with which the rotor begins with its \"speed\" and its support at rest"
+            }
+            Self::FewBlades { .. } => {
+                "write by = \"Floquet\": the coefficients of fewer blades are periodic, and their mean is no \
+                 model of them"
             }
             Self::FirstInstant { turn, .. } => {
                 return Some(format!(

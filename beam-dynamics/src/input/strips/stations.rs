@@ -11,7 +11,8 @@ use crate::input::aerodynamics::{Airfoils, MachLimit, StripProblem, mach_limits}
 use crate::input::number::short_number;
 
 keys! {
-    /// Stations from the root to the tip; linear between them. A blade may have a `file` in their place.
+    /// Stations from the root to the tip; linear between them, and without air inboard of the first and outboard
+    /// of the last one. A blade may have a `file` in their place.
     pub(super) STATIONS: ByHand = "stations", [Tables(&CARD)], optional, "";
 }
 

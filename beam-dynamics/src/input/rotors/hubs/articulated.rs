@@ -17,6 +17,7 @@ fn problem(base: &Base) -> Option<RotorProblem> {
     (!flaps).then(|| RotorProblem::Hub {
         hub: KIND.word,
         found: "has no flap hinge".to_owned(),
-        expected: "[[rotor.hinge]] with kind = \"flap\"",
+        expected: "[[rotor.hinge]] with kind = \"flap\", or the kind \"hingeless\", whose blades may have \
+                   lag hinges alone",
     })
 }

@@ -1,7 +1,7 @@
 //! Hingeless hub: blades that bend in flap and lag; hinges with springs may represent flexures.
 
 use super::HubKind;
-use crate::input::rotors::base::Base;
+use crate::input::rotors::base::{Base, LAG, PITCH};
 use crate::input::rotors::problem::RotorProblem;
 
 /// The kind.
@@ -13,13 +13,13 @@ pub(super) const KIND: HubKind = HubKind {
 };
 
 fn problem(base: &Base) -> Option<RotorProblem> {
-    let is_free = base
-        .hinges
-        .iter()
-        .any(|hinge| hinge.kind != 2 && hinge.restraint.stiffness == 0.0);
-    is_free.then(|| RotorProblem::Hub {
+    let mut hinges = base.hinges.iter();
+    let unstated = hinges.find(|hinge| hinge.kind != PITCH && !hinge.has_stiffness)?;
+    let kind = if unstated.kind == LAG { "lag" } else { "flap" };
+    Some(RotorProblem::Hub {
         hub: KIND.word,
-        found: "has a flap or lag hinge without \"stiffness\"".to_owned(),
-        expected: "the stiffness of the flexure that it represents, or the kind \"articulated\"",
+        found: format!("has a {kind} hinge without \"stiffness\""),
+        expected: "the stiffness of the flexure that it represents (0 if it turns freely), or the kind \
+                   \"articulated\"",
     })
 }

@@ -42,6 +42,7 @@ fn yoke(base: &Base) -> (String, Vec<Card>) {
         kind: 0,
         offset: 0.0,
         restraint: base.tilt,
+        has_stiffness: false,
         damper: None,
     };
     cards.extend(stops::cards(

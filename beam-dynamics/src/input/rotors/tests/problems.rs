@@ -153,7 +153,8 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "hingeless",
         FLAP,
-        "has a flap or lag hinge without \"stiffness\"",
+        "has a flap hinge without \"stiffness\", expected the stiffness of the flexure that it represents \
+         (0 if it turns freely)",
     ),
     ("articulated", "speed = 1", "has no flap hinge"),
     ("gimballed", "speed = 1", "has no \"link\""),
