@@ -31,6 +31,7 @@ mod shapes;
 mod silent;
 mod spars;
 mod stations;
+mod unlikely;
 mod windio;
 mod windio_former;
 mod windio_rules;
