@@ -171,7 +171,7 @@ fn doubts(air: &RotorAir, words: Words) -> Vec<(Doubt, String)> {
         );
         found.push((Doubt::Advance, text));
     }
-    found.extend(of_wind(air, ratio, is_wind));
+    found.extend(of_wind(air, tips, is_wind));
     found
 }
 
@@ -189,8 +189,9 @@ fn averaged(air: &RotorAir) -> Option<(Doubt, String)> {
     })
 }
 
-/// A doubt about the wind of a rotor along its shaft, at a ratio of the speeds of tips and air.
-fn of_wind(air: &RotorAir, ratio: f64, is_wind: bool) -> Option<(Doubt, String)> {
+/// A doubt about the wind of a rotor along its shaft, at a speed of its tips.
+fn of_wind(air: &RotorAir, tips: f64, is_wind: bool) -> Option<(Doubt, String)> {
+    let ratio = tips / air.climb.abs();
     let [thrust, power] = coefficients(air);
     let number = |value: f64| short_number(value, DIGITS);
     let wind = number(air.climb.abs());
@@ -355,7 +356,15 @@ mod tests {
             radius: 200.0 / 33.0,
             density: 1.225,
         };
-        for (climb, edgewise) in [(0.0, 0.0), (8.0, 0.0), (-10.0, 0.0), (4.0, 70.0)] {
+        let flights = [
+            (0.0, 0.0),
+            (8.0, 0.0),
+            (-10.0, 0.0),
+            (4.0, 70.0),
+            (-4.0, 70.0),
+            (-1e-50, 70.0),
+        ];
+        for (climb, edgewise) in flights {
             assert_eq!(kinds(&at(climb, edgewise), Words::Rotor), vec![]);
         }
         assert_eq!(kinds(&at(4.0, 210.0), Words::Rotor), [Doubt::Advance]);

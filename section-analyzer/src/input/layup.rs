@@ -24,6 +24,7 @@ mod keys;
 mod layers;
 mod line;
 mod names;
+mod outliers;
 mod place;
 mod prevabs;
 mod problem;
@@ -33,6 +34,7 @@ mod slips;
 mod span;
 mod swapped;
 mod taper;
+mod unlikely;
 mod windio;
 
 pub use constants::table_name;
@@ -264,6 +266,7 @@ fn check(layup: &mut Layup, document: &Document, has_names: bool) {
     if has_names {
         layup.remarks = layup.idle_places();
         layup.remarks.extend(layup.slips());
+        layup.remarks.extend(layup.odd_shape());
         problems.extend(layup.wrong_ends());
     }
     for (line, problem) in &problems {

@@ -36,6 +36,29 @@ fn check_meshes_and_writes_nothing() {
     assert_eq!(run.code, 2);
 }
 
+/// Materials that are likely in another unit are remarked as in a run that solves, also if nothing else is
+/// shown.
+#[test]
+fn check_has_the_remarks_on_materials() {
+    let place = workplace(&LAYUP.replace("stress = \"GPa\"", "stress = \"MPa\""));
+    let stations = ["--stations", "0.2,0.7"];
+    let run = ["blade", "a.layup.toml", "--check"];
+    let run_check = |more: &[&str]| place.run(&[&run[..], &stations, more].concat());
+    let remarks = |run: &Run| -> Vec<String> {
+        let lines = run.out.lines().filter(|line| line.contains("material"));
+        lines.map(str::to_owned).collect()
+    };
+    let check = run_check(&[]);
+    assert_eq!((check.code, check.err.as_str()), (0, ""));
+    let solved = blade(&place, &[&stations[..], &["--no-figures"]].concat());
+    let found = remarks(&check);
+    assert_eq!(found, remarks(&solved));
+    let expected = "remark: eta 0.2, eta 0.7: material \"glass\": no known material has the modulus 4.000e7 Pa";
+    assert!(found.len() == 1 && found[0].contains(expected), "{found:?}");
+    let quiet = run_check(&["--quiet"]);
+    assert!(quiet.err.contains("warning: eta 0.2"), "{}", quiet.err);
+}
+
 /// A blade beside itself in another format, and beside the same with a thicker cap.
 #[test]
 fn differences_from_another_blade_are_listed() {

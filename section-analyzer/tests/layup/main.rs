@@ -34,6 +34,7 @@ mod silent;
 mod spars;
 mod stations;
 mod thin_noses;
+mod unlikely;
 mod windio;
 mod windio_former;
 mod windio_rules;

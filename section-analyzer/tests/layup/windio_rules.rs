@@ -517,3 +517,23 @@ fn public_files_have_no_other_remarks() {
         assert!(layup.remarks.iter().all(|one| one.len() < 300), "{name}");
     }
 }
+
+/// A layer that starts at itself, and layers that start and end at each other.
+#[test]
+fn places_of_version_1_do_not_go_in_circles() {
+    let message = |lines: &str| read(&version_1(lines)).map(|_| ()).expect_err(lines);
+    let end = flat(&[("end_nd_arc", 0.4)]);
+    let own = message(&format!("start_nd_arc: {{fixed: part}}\n{end}"));
+    let expected = "start_nd_arc of layer \"part\": found \"part\", expected TE, LE or the name of another layer";
+    assert!(own.contains(expected), "{own}");
+    let arc = "{grid: [0, 1], values: [0.2, 0.2]}";
+    let next = format!("start_nd_arc: {{fixed: part}}\n          end_nd_arc: {arc}");
+    let back = format!("start_nd_arc: {arc}\n          end_nd_arc: {{fixed: part}}");
+    let text =
+        with_next(&format!("start_nd_arc: {{fixed: next}}\n{end}")).replacen(&next, &back, 1);
+    let circle = read(&text).map(|_| ()).expect_err("a circle");
+    assert!(
+        circle.contains("places go in a circle: next.end -> part.start -> next.end"),
+        "{circle}"
+    );
+}

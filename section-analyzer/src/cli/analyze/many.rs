@@ -155,7 +155,7 @@ impl<'a, 'b> Listener<'a, 'b> {
             self.removed.extend(outcome.removed.iter().cloned());
             let line = self.lines.of(&self.jobs[self.reported], &outcome);
             let label = &self.jobs[self.reported].label;
-            if !outcome.report.is_empty() {
+            if outcome.lists_warnings() {
                 for text in &outcome.warnings {
                     self.warnings.add(text, label);
                 }

@@ -92,11 +92,16 @@ impl Outcome {
         }
     }
 
+    /// Whether warnings are listed after all sections: of reports, and of sections that are not solved.
+    pub fn lists_warnings(&self) -> bool {
+        !self.report.is_empty() || self.status == Status::Sound
+    }
+
     /// The problems; the warnings too, about the section shown as `label`, if they are to be
-    /// reported or no report exists.
+    /// reported or are not listed.
     pub fn messages(&self, label: &str, with_warnings: bool) -> Option<String> {
         let warnings = self.warnings.iter();
-        let warnings = warnings.filter(|_| with_warnings || self.report.is_empty());
+        let warnings = warnings.filter(|_| with_warnings || !self.lists_warnings());
         let warnings = warnings.map(|text| format!("warning: {label}: {text}"));
         let texts: Vec<_> = self.problems.iter().cloned().chain(warnings).collect();
         (!texts.is_empty()).then(|| texts.join("\n"))

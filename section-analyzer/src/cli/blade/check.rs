@@ -26,6 +26,7 @@ pub(super) fn sections(
             let _ = layers[number].set(layer_rows(layup, &meshed));
             Outcome {
                 nodes: Some(meshed.mesh.nodes.len()),
+                warnings: layup.material_remarks(&meshed),
                 ..Outcome::new(Status::Sound)
             }
         }

@@ -94,6 +94,8 @@ fn heading(words: &[&str]) -> Option<Option<[usize; 2]>> {
     let x = at(&["x", "x/c"]);
     let z = at(&["z", "z/c"]).or(at(&["y", "y/c"]));
     match (x, z) {
+        // a title of one word
+        _ if words.len() < 2 => None,
         (None, None) => None,
         (Some(x), Some(z)) => Some(Some([x, z])),
         _ => Some(None),

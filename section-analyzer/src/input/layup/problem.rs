@@ -67,6 +67,15 @@ pub enum LayupFileProblem {
     /// Digits or points that are not an airfoil.
     #[error("{0}")]
     Points(String),
+    /// Both sides from the nose on.
+    #[error(
+        "the points begin at the nose, and begin there again in row {row}, expected the trailing edge, the \
+         upper side, the nose and the lower side in one line"
+    )]
+    NoseFirst {
+        /// The row of the second side, from one.
+        row: usize,
+    },
     /// A name that the file does not have.
     #[error("{kind} \"{found}\" is not in the file")]
     Unknown {
@@ -219,7 +228,12 @@ pub enum LayupFileProblem {
         places: Vec<String>,
     },
     /// A place that is not on the contour.
-    #[error("\"{place}\" of {of} is not on the contour at eta {eta}")]
+    #[error(
+        "\"{place}\" of {of} is not on the contour at eta {eta}{}",
+        .shift.map_or_else(String::new, |[by, length]| format!(
+            ": it is shifted by {} m, and the contour is {} m long", rounded(by), rounded(length)
+        ))
+    )]
     OffContour {
         /// The layer, web or fill, with its kind.
         of: String,
@@ -227,6 +241,8 @@ pub enum LayupFileProblem {
         place: String,
         /// The position along the span [-].
         eta: f64,
+        /// A shift that is longer than the contour, and the length of the contour \[m\].
+        shift: Option<[f64; 2]>,
     },
     /// A range along the span that is not one.
     #[error("\"eta\" of \"{name}\" is {found}, expected two ascending positions from 0 to 1")]
@@ -343,6 +359,11 @@ impl Explain for LayupFileProblem {
             Self::Shape { .. } => {
                 Some("check the unit: parts of the chord are numbers as 0.3, not percent".into())
             }
+            Self::NoseFirst { .. } => Some(
+                "reverse the rows of the upper side; a file whose first row has the numbers of points of both \
+                 sides, as \"50. 50.\", is read as it is"
+                    .into(),
+            ),
             Self::Unknown { found, known, .. } => Some(help_of_unknown(found, known)),
             Self::NoPly { material, .. } => Some(format!(
                 "add ply_thickness to [material.{material}], or give \"thickness\""
@@ -399,6 +420,11 @@ impl LayupFileProblem {
     /// The remedy of a problem of places and ranges.
     fn help_of_place(&self) -> Option<String> {
         match self {
+            Self::OffContour { shift: Some(_), .. } => Some(
+                "check the unit of the shift, or of the width of the layer: a layer around its middle is \
+                 shifted by half of it; windIO has meters"
+                    .into(),
+            ),
             Self::OffContour { .. } => Some(
                 "x is a part of the chord, and arc of the contour, from 0 to 1; distance is a length \
                  along the contour; in a shift, as \"nose - 45 mm\", a number without a unit is a part of the contour"

@@ -226,9 +226,16 @@ impl<'a> Resolver<'a> {
         let (outline, eta) = (&self.outline, self.eta);
         let perimeter = outline.perimeter();
         let line = if place.line > 0 { place.line } else { line };
+        let long_shift = Some(place.shift.at(eta)).filter(|by| by.abs() > perimeter);
         let off = |place: String| {
-            let of = String::new();
-            (line, LayupFileProblem::OffContour { of, place, eta })
+            let (of, shift) = (String::new(), long_shift.map(|by| [by, perimeter]));
+            let problem = LayupFileProblem::OffContour {
+                of,
+                place,
+                eta,
+                shift,
+            };
+            (line, problem)
         };
         let s = match &place.form {
             PlaceForm::Arc(course) => course.at(eta) * perimeter,
@@ -300,6 +307,7 @@ impl<'a> Resolver<'a> {
                     of: String::new(),
                     place: name.to_owned(),
                     eta: self.eta,
+                    shift: None,
                 };
                 face.ok_or((line, off))?
             }

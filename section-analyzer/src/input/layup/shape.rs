@@ -31,6 +31,8 @@ const BEYOND: f64 = 1.1;
 /// Least and largest x/c of the points of an airfoil, and the least distance of both.
 const ENDS: [f64; 2] = [-0.5, 1.5];
 const EXTENT: f64 = 0.3;
+/// Part of the chord at its edges within which sides begin and end.
+const EDGE: f64 = 0.1;
 
 /// Points (x/c, z/c), from the trailing edge over the suction side to the nose and back.
 pub type Points = Vec<[f64; 2]>;
@@ -303,6 +305,15 @@ fn scaled(points: Points, table: &Table<'_>, key: &str) -> Option<Points> {
         let found =
             format!("points from x/c = {from} to {to}, expected parts of the chord, 0 to 1");
         table.note(key, &LayupFileProblem::Points(found));
+    }
+    let begins_again = points.windows(2).position(|pair| {
+        let part = |x: f64| (x - ends[0]) / (ends[1] - ends[0]);
+        part(pair[0][0]) > 1.0 - EDGE && part(pair[1][0]) < EDGE
+    });
+    let starts_ahead = points.first().is_some_and(|first| first[0] < EDGE);
+    if let Some(row) = begins_again.filter(|_| is_scaled && starts_ahead) {
+        table.note(key, &LayupFileProblem::NoseFirst { row: row + 2 });
+        return None;
     }
     is_scaled.then_some(points)
 }

@@ -2,6 +2,7 @@
 
 use shared_geom::line::ReferenceLine;
 
+use super::outliers::outlier;
 use super::problem::{LayupFileProblem, Located};
 use super::resolve::Resolver;
 use super::{Layup, WrittenLayer};
@@ -11,6 +12,8 @@ use crate::mesh::short;
 const COMPARED: usize = 20;
 /// Difference of ratios that counts [-].
 const SAME: f64 = 1e-9;
+/// Length of a blade over its largest chord from which one of both is likely in another unit [-].
+const SLENDER: f64 = 150.0;
 
 impl Layup {
     /// The problem of cells that are longer than the largest chord.
@@ -21,8 +24,7 @@ impl Layup {
         (size > chord).then_some((self.size_line, problem))
     }
 
-    /// Remarks on tapers that are longer than their layers, on origins outside of the chord, and on chords that are
-    /// longer than the blade.
+    /// Remarks on tapers that are longer than their layers, and on origins outside of the chord.
     pub(super) fn slips(&self) -> Vec<String> {
         let tapered = || self.layers.iter().filter(|layer| layer.taper.is_some());
         let mut remarks = Vec::new();
@@ -45,18 +47,48 @@ impl Layup {
                 }
             ));
         }
+        remarks
+    }
+
+    /// Remarks on a shape that no blade has: chords that are longer than the blade or far too short for
+    /// it, and airfoils with a point that is off the line of its neighbors.
+    pub(super) fn odd_shape(&self) -> Vec<String> {
         let chords = self.shape.chord.points().map(|(_, chord)| chord);
         let chord = chords.fold(0.0, f64::max);
         let length = self.line.as_ref().map(ReferenceLine::length);
-        remarks.extend(length.filter(|length| chord > *length).map(|length| {
-            format!(
-                "line {}: the largest chord, {} m, is longer than the blade, {} m",
+        let proportion = length.and_then(|length| {
+            let [of_chord, of_blade] = [chord, length].map(short);
+            let line = self.shape_line;
+            if chord > length {
+                Some(format!(
+                    "line {line}: the largest chord, {of_chord} m, is longer than the blade, {of_blade} m"
+                ))
+            } else if length > SLENDER * chord {
+                Some(format!(
+                    "line {line}: the blade is {of_blade} m long, {:.0} times its largest chord, \
+                     {of_chord} m: check the units of both",
+                    length / chord
+                ))
+            } else {
+                None
+            }
+        });
+        let is_one = self.shape.airfoils().count() == 1;
+        let outliers = self.shape.airfoils().filter_map(|(at, points)| {
+            let ([x, z], distance) = outlier(points)?;
+            let which = if is_one {
+                String::new()
+            } else {
+                format!(" at {at}")
+            };
+            Some(format!(
+                "line {}: the point ({x}, {z}) of the airfoil{which} is {} of the chord off the line \
+                 between its neighbors, unlike the points near it: check its numbers",
                 self.shape_line,
-                short(chord),
-                short(length)
-            )
-        }));
-        remarks
+                short(distance)
+            ))
+        });
+        proportion.into_iter().chain(outliers).collect()
     }
 }
 

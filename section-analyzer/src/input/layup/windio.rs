@@ -47,6 +47,8 @@ use planes::Tilt;
 const SAME_PLACE: f64 = 0.02;
 /// Stations at which two rules are compared.
 const COMPARED: usize = 20;
+/// Part of the span at an end of the blade that tables need not have.
+const OPEN: f64 = 1e-3;
 
 /// Problems, and remarks on choices.
 struct Notes {
@@ -73,6 +75,7 @@ impl Notes {
         let names = || known.split('\n').filter(|name| !name.is_empty());
         let help = match nearest_name(found, names()) {
             Some(near) => format!("did you mean \"{near}\"?"),
+            None if known.is_empty() => "the file has none".to_owned(),
             None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
         };
         self.wrong(line, [what, &format!("\"{found}\""), expected, &help]);
@@ -115,6 +118,9 @@ pub(super) fn read(text: &str, path: &Path, materials: Materials) -> Result<Layu
             None
         }
     };
+    notes
+        .remarks
+        .extend(layup.iter().flat_map(Layup::odd_shape));
     let remarks = notes.remarks;
     notes
         .problems
@@ -171,7 +177,7 @@ fn blade(
         layup.webs.retain(|web| web.line != line);
         notes.remarks.push(format!("{problem}: it is not meshed"));
     }
-    for (line, problem) in layup.swapped_layers() {
+    for (line, problem) in layup.wrong_ends() {
         let location = SourceLocation::line(&layup.file, line);
         let _: Option<()> = notes
             .problems
@@ -244,6 +250,23 @@ fn compare(layup: &Layup, places: &Places<'_>, notes: &mut Notes) {
                 worst.1
             ));
         }
+    }
+}
+
+/// A remark on a table that has no values at the root or the tip.
+fn remark_on_ends((what, line): (&str, usize), positions: &[f64], notes: &mut Notes) {
+    let (Some(&first), Some(&last)) = (positions.first(), positions.last()) else {
+        return;
+    };
+    if first > OPEN {
+        notes.remarks.push(format!(
+            "line {line}: {what} begins at {first}: its first value is taken from the root on"
+        ));
+    }
+    if last < 1.0 - OPEN {
+        notes.remarks.push(format!(
+            "line {line}: {what} ends at {last}: its last value is taken up to the tip"
+        ));
     }
 }
 

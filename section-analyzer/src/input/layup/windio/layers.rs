@@ -1,5 +1,6 @@
 //! Layers and webs of windIO files.
 
+use shared_geom::error::quoted;
 use shared_geom::exchange::text::number;
 use shared_geom::exchange::yaml::{Node, Value};
 
@@ -65,6 +66,7 @@ pub(super) fn read<'n>(
     notes: &mut Notes,
 ) -> (Vec<Used>, Option<Parts>) {
     let mut used = Vec::new();
+    remark_on_plies(&places.layers, root, notes);
     let parts = parts((structure, root), places, &mut used, notes);
     (used, parts)
 }
@@ -197,10 +199,7 @@ fn limits(node: &Node, of: &str, notes: &mut Notes) -> Option<[f64; 2]> {
 fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Course> {
     let (given, plies) = (item.entry("thickness"), item.entry("n_plies"));
     let material = item.entry("material").and_then(Node::text).unwrap_or("");
-    let ply = super::named(root, material)
-        .and_then(|material| material.entry("ply_t"))
-        .and_then(|ply| ply.text().and_then(number));
-    match (given, plies, ply) {
+    match (given, plies, ply_thickness(item, root)) {
         (Some(node), Some(plies), Some(ply)) => {
             let thickness = measure(node, ("thickness", of), notes);
             let plies = measure(plies, ("n_plies", of), notes);
@@ -230,6 +229,29 @@ fn thickness(item: &Node, of: &str, root: &Node, notes: &mut Notes) -> Option<Co
             let node = required(item, of, "thickness", notes)?;
             measure(node, ("thickness", of), notes)
         }
+    }
+}
+
+/// The thickness of a ply of the material of a layer, if it is given.
+fn ply_thickness(item: &Node, root: &Node) -> Option<f64> {
+    let material = super::named(root, item.entry("material")?.text()?)?;
+    material.entry("ply_t")?.text().and_then(number)
+}
+
+/// A remark on numbers of plies beside a thickness that cannot be compared with it.
+fn remark_on_plies(layers: &[(&str, &Node)], root: &Node, notes: &mut Notes) {
+    let is_idle = |(_, item): &&(&str, &Node)| {
+        let has = |key: &str| item.entry(key).is_some();
+        has("thickness") && has("n_plies") && ply_thickness(item, root).is_none()
+    };
+    let idle: Vec<&(&str, &Node)> = layers.iter().filter(is_idle).collect();
+    if let Some((_, first)) = idle.first() {
+        let names: Vec<&str> = idle.iter().map(|layer| layer.0).collect();
+        notes.remarks.push(format!(
+            "line {}: n_plies has no effect beside thickness where the material has no ply_t: {}",
+            first.line,
+            quoted(&names)
+        ));
     }
 }
 

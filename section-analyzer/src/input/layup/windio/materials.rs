@@ -28,6 +28,10 @@ const REPAIR: [f64; 2] = [0.05, 0.05];
 /// Poisson's ratio in the place of larger ones of isotropic materials.
 const LARGEST: f64 = 0.49;
 
+/// Part by which the shear modulus of an isotropic material differs from the one of E and nu without a remark;
+/// foams and adhesives of public blades have up to 0.1.
+const OTHER_SHEAR: f64 = 0.15;
+
 /// The strength of a direction without one \[Pa\].
 const UNLIMITED: f64 = 1e30;
 /// Keys of strengths of a ply, with their list of Xt, Xc, S and their position in it: the ones that a
@@ -155,6 +159,14 @@ fn isotropic(node: &Node, of: &str, treatment: Materials, notes: &mut Notes) -> 
             node.line
         ));
         poisson = LARGEST;
+    }
+    let shear = node.entry("G").and_then(Node::text).and_then(number);
+    let expected = young / (2.0 * (1.0 + poisson));
+    if let Some(shear) = shear.filter(|shear| (shear / expected - 1.0).abs() > OTHER_SHEAR) {
+        notes.remarks.push(format!(
+            "line {}: {of}: G is {shear:e} Pa, and E/(2 (1 + nu)) is {expected:.3e} Pa: E and nu are used",
+            node.line
+        ));
     }
     Some(format!("young = {young:?}\npoisson = {poisson:?}\n"))
 }

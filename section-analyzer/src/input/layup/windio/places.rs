@@ -92,8 +92,8 @@ impl<'n> Places<'n> {
         let is_other = item.entry("name").and_then(Node::text) != Some(&name);
         let end = [(START, "start"), (END, "end")];
         let (_, end) = end.into_iter().find(|(known, _)| *known == handle)?;
-        let form = PlaceForm::Named(format!("{name}.{end}"));
-        (is_its_own && is_other && layer.entry("web").is_none()).then(|| Place::of(form))
+        let is_found = is_its_own && is_other && layer.entry("web").is_none();
+        is_found.then(|| Place::of_name(format!("{name}.{end}"), node.line))
     }
 
     /// The place under a key of version 2: a table of arcs, or a reference to an anchor. `path`

@@ -20,7 +20,7 @@
 //! the twist as their rotation.
 
 use shared_geom::exchange::reference_line;
-use shared_geom::exchange::windio_fields::{axis, column, numbers};
+use shared_geom::exchange::windio_fields::{Column, axis, column, numbers};
 use shared_geom::exchange::yaml::Node;
 use shared_geom::line::ReferenceLine;
 
@@ -28,7 +28,7 @@ use super::super::course::Course;
 use super::super::place::PlaceForm;
 use super::angles::{self, Angle};
 use super::version::Version;
-use super::{Notes, course, required};
+use super::{Notes, course, remark_on_ends, required};
 
 /// Distance of a plane from the axis in version 1.
 pub(super) const OFFSET: &str = "offset_y_pa";
@@ -39,6 +39,37 @@ pub(super) const FORMER: &str = "offset_x_pa";
 pub(super) fn offset_key(item: &Node) -> Option<&'static str> {
     let mut keys = [OFFSET, FORMER].into_iter();
     keys.find(|key| item.entry(key).is_some())
+}
+
+/// Notes an axis that does not lead from the root to the tip, and remarks on columns that end before it.
+fn outward(axis: &[Column; 3], line: usize, notes: &mut Notes) -> Option<()> {
+    for (column, key) in axis.iter().zip(["x", "y", "z"]) {
+        let what = format!("{key} of reference_axis");
+        remark_on_ends((&what, line), &column.grid, notes);
+    }
+    let Column { grid, values } = &axis[2];
+    let (root, tip) = (values.first()?, values.last()?);
+    let back = (1..values.len()).find(|i| values[*i] <= values[*i - 1]);
+    let [found, help] = match back {
+        None => return Some(()),
+        Some(_) if tip <= root => [
+            format!("z from {root} at the root to {tip} at the tip"),
+            "turn the signs of z, or the order of the values".to_owned(),
+        ],
+        Some(i) => [
+            format!(
+                "z = {} at {} after {} at {}",
+                values[i],
+                grid[i],
+                values[i - 1],
+                grid[i - 1]
+            ),
+            "correct the values of z there".to_owned(),
+        ],
+    };
+    let expected = "z that grows from root to tip";
+    notes.wrong(line, ["reference_axis", &found, expected, &help]);
+    None
 }
 
 /// The directions of the sections of a blade.
@@ -73,17 +104,8 @@ impl Tilt {
         for angle in &mut twist.values {
             *angle *= version.angle();
         }
-        let ends = [columns[2].values.first(), columns[2].values.last()];
-        if let [Some(root), Some(tip)] = ends
-            && tip <= root
-        {
-            let place = node.map_or(0, |node| node.line);
-            let found = format!("z from {root} at the root to {tip} at the tip");
-            let expected = "z that grows from root to tip";
-            let help = "turn the signs of z, or the order of the values";
-            notes.wrong(place, ["reference_axis", &found, expected, help]);
-            return None;
-        }
+        remark_on_ends(("twist", place), &twist.grid, notes);
+        outward(&columns, node.map_or(0, |node| node.line), notes)?;
         let line = reference_line(&columns, &twist, text, &mut notes.remarks);
         let problems = line.problems();
         if let Some(problem) = problems.first() {

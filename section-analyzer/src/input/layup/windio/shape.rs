@@ -9,7 +9,7 @@ use super::super::course::Course;
 use super::super::shape::{Points, Shape};
 use super::airfoil::contour;
 use super::version::Version;
-use super::{Notes, course, items, required};
+use super::{Notes, course, items, remark_on_ends, required};
 
 /// Largest difference of the stated and the measured thickness of an airfoil that is not reported, as a
 /// part of it.
@@ -51,6 +51,14 @@ pub(super) fn read(
     if let Some(origin) = &origin {
         remark_on_origin(outer, (key, origin), notes);
     }
+    for (key, table) in [
+        ("chord", chord.as_ref()),
+        (key, origin.as_ref()),
+        ("rthick", thickness.as_ref().and_then(Option::as_ref)),
+        ("section_offset_x", offset.as_ref().and_then(Option::as_ref)),
+    ] {
+        remark_on_table(outer, key, table, notes);
+    }
     let labels = match version {
         Version::One => labels_1(outer, notes),
         Version::Two => labels_2(outer, outer.entry("rthick").is_some(), notes),
@@ -68,7 +76,7 @@ pub(super) fn read(
     };
     let thickness = match thickness? {
         Some(thickness) => thickness,
-        None => by_position(&airfoils)?,
+        None => by_position((outer, version), &airfoils, notes)?,
     };
     let offset = offset?.unwrap_or_else(|| Course::constant(0.0));
     let points = by_thickness(airfoils, notes);
@@ -121,6 +129,13 @@ fn remark_on_origin(outer: &Node, (key, origin): (&str, &Course), notes: &mut No
             "line {line}: {key} is {value} at {eta}: the axis is ahead of the leading edge"
         ));
     }
+}
+
+/// A remark on a table that ends before the tip, or begins behind the root.
+fn remark_on_table(outer: &Node, key: &str, table: Option<&Course>, notes: &mut Notes) {
+    let line = outer.entry(key).map_or(outer.line, |node| node.line);
+    let positions = table.map_or(&[][..], Course::positions);
+    remark_on_ends((key, line), positions, notes);
 }
 
 /// Positions and names of version 1.
@@ -294,11 +309,21 @@ fn thickness_of(points: &[[f64; 2]]) -> f64 {
 
 /// Relative thickness over the span if the file has no table of it: of the airfoils at
 /// their positions.
-fn by_position(airfoils: &[(Option<f64>, Placed)]) -> Option<Course> {
+fn by_position(
+    (outer, version): (&Node, Version),
+    airfoils: &[(Option<f64>, Placed)],
+    notes: &mut Notes,
+) -> Option<Course> {
     let points = airfoils
         .iter()
         .filter_map(|(at, one)| Some(((*at)?, one.thickness)));
     let (eta, value): (Vec<f64>, Vec<f64>) = points.unzip();
+    let key = match version {
+        Version::One => "airfoil_position",
+        Version::Two => "airfoils",
+    };
+    let line = outer.entry(key).map_or(outer.line, |node| node.line);
+    remark_on_ends((key, line), &eta, notes);
     match eta.len() {
         0 => None,
         1 => Some(Course::constant(value[0])),

@@ -115,19 +115,23 @@ impl<'n> Places<'n> {
             return arc(node, &what, notes);
         };
         let name = fixed.text().unwrap_or_default();
+        let is_own = of == format!("layer \"{name}\"");
         let ends = [(START, "end", 0.0), (END, "start", 1.0)];
         let end = ends.iter().find(|end| end.0 == key);
         match (name, end) {
             ("LE", _) => Some(Place::of(PlaceForm::Named("leading_edge".to_owned()))),
             ("TE", Some((_, _, around))) => Some(Place::arc(*around)),
-            (_, Some((_, end, _))) if self.layers.iter().any(|layer| layer.0 == name) => {
-                Some(Place::of(PlaceForm::Named(format!("{name}.{end}"))))
+            (_, Some((_, end, _)))
+                if !is_own && self.layers.iter().any(|layer| layer.0 == name) =>
+            {
+                Some(Place::of_name(format!("{name}.{end}"), fixed.line))
             }
             ("TE", None) => Some(Place::arc(1.0)),
             _ => {
                 let layers = self.layers.iter().map(|layer| layer.0);
+                let layers = layers.filter(|layer| *layer != name);
                 let known: Vec<&str> = ["TE", "LE"].into_iter().chain(layers).collect();
-                let expected = ["TE, LE or the name of a layer", &known.join("\n")];
+                let expected = ["TE, LE or the name of another layer", &known.join("\n")];
                 notes.unknown(fixed.line, &what, name, expected);
                 None
             }

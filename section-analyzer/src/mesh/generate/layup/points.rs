@@ -95,7 +95,8 @@ pub(super) fn checked(points: &[[f64; 2]]) -> Result<[Vec<[f64; 2]>; 2], LayupPr
     let sharp = sharp.map(|three| three[1]).collect();
     if distinct.len() < LEAST {
         return wrong(format!(
-            "has {} points, expected {LEAST} or more, also along straight sides",
+            "has {} points, expected {LEAST} or more: straight sides have points too, and a point given twice is a \
+             corner",
             distinct.len()
         ));
     }

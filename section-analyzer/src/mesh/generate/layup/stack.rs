@@ -261,12 +261,22 @@ impl Stack {
         [middle - 0.5 * width, middle + 0.5 * width]
     }
 
-    /// The thickest layer at an arc length, and its thickness.
+    /// The thickest layer at an arc length, with all plies of its name, and its thickness.
     pub fn thickest(&self, s: f64) -> (String, f64) {
-        let all = (0..self.len()).map(|layer| (layer, self.thickness(layer, s)));
-        let thickest = all.max_by(|a, b| a.1.total_cmp(&b.1));
-        let (layer, thickness) = thickest.unwrap_or((0, 0.0));
-        (self.name(layer).to_owned(), thickness)
+        let mut all: Vec<(&str, f64)> = Vec::new();
+        for layer in 0..self.len() {
+            // plies are called LAYER/NUMBER
+            let name = self.name(layer).split('/').next().unwrap_or_default();
+            let thickness = self.thickness(layer, s);
+            match all.iter_mut().find(|known| known.0 == name) {
+                Some(known) => known.1 += thickness,
+                None => all.push((name, thickness)),
+            }
+        }
+        let thickest = all.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        thickest.map_or_else(Default::default, |(name, thickness)| {
+            (name.to_owned(), thickness)
+        })
     }
 
     /// The outermost layer that is present at an arc length.
