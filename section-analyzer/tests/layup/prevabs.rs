@@ -143,6 +143,68 @@ fn box_has_the_exact_mass() {
     assert!((areas.meshed / area - 1.0).abs() < 1e-9, "{areas:?}");
 }
 
+/// Fills of the spaces beside a web in the middle, each by one of its points: the mass of the box grows by the
+/// areas of the rectangles times the density, also in a section that is moved and scaled.
+#[test]
+fn fills_have_the_exact_mass() {
+    let text = changed(
+        "box.xml",
+        &[
+            (
+                "</basepoints>",
+                "<point name=\"low\">0.1 -0.265</point><point name=\"high\">0.1 0.265</point>\
+                 <point name=\"in front\">0.4 0.1</point><point name=\"behind\">-0.2 0</point></basepoints>\
+                 <baseline name=\"up\" type=\"straight\"><points>low,high</points></baseline>",
+            ),
+            (
+                "</materials>",
+                "<material name=\"foam\" type=\"isotropic\"><density>1e-5</density>\
+                 <elastic><e>1e4</e><nu>0.3</nu></elastic></material></materials>",
+            ),
+            (
+                "</cross_section>",
+                "<component name=\"web\"><segment name=\"web\"><baseline>up</baseline>\
+                 <layup direction=\"left\">wall</layup></segment></component>FILLS</cross_section>",
+            ),
+        ],
+    );
+    let fill = |name: &str, point: &str| {
+        format!(
+            "<component name=\"{name}\" type=\"fill\"><location>{point}</location>\
+             <material>foam</material></component>"
+        )
+    };
+    let mass = |text: &str| {
+        let solution = analyze(&section(&good(text), 0.0).section);
+        solution.expect("a solution").mass[(0, 0)]
+    };
+    let none = mass(&text.replace("FILLS", ""));
+    // The web lies from 0.1 to 0.07.
+    let [front, aft] = [0.4465 - 0.1, 0.07 + 0.4465].map(|width| width * 0.47 * 1e-5);
+    let [one, other] = [fill("a", "in front"), fill("b", "behind")];
+    let moved = "<general><translate>3 -2</translate><scale>1</scale>";
+    for (fills, expected) in [
+        (one.clone(), front),
+        (other.clone(), aft),
+        (one.clone() + &other, front + aft),
+    ] {
+        let text = text.replace("FILLS", &fills);
+        for text in [text.replace("<general>", moved), text] {
+            let found = mass(&text) - none;
+            assert!(
+                (found / expected - 1.0).abs() < 1e-6,
+                "{fills}: {found} {expected}"
+            );
+        }
+    }
+    let outside = text.replace("FILLS", &one).replace("0.4 0.1<", "0.5 0.1<");
+    let problems = read(&outside).expect_err("a point outside");
+    assert!(
+        problems.contains("expected a <location> inside of the contour"),
+        "{problems}"
+    );
+}
+
 /// Translation, scale and rotation, in this order, change the section, not its laminae: turned by
 /// 30 deg, forces and moments turn with the section; the moments of a moved section follow from
 /// the distance.

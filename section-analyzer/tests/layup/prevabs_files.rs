@@ -5,12 +5,32 @@ use crate::prevabs::{changed, read, text};
 use crate::random::Random;
 
 /// A file, a text in it, the text in its place, and a part of the message.
-const REFUSED: [(&str, &str, &str, &str); 23] = [
+const REFUSED: [(&str, &str, &str, &str); 26] = [
     (
         "box.xml",
         "</cross_section>",
         "<component name=\"core\" type=\"fill\"><material>mat_1</material></component></cross_section>",
-        "add a [[fill]] to the written layup file",
+        "location",
+    ),
+    (
+        "box.xml",
+        "</cross_section>",
+        "<component type=\"fill\"><location>tl</location><baseline>around</baseline>\
+         <material>mat_1</material></component></cross_section>",
+        "found <baseline>, expected <location> and <material>\n  help: change the [[fill]] of the written",
+    ),
+    (
+        "box.xml",
+        "</cross_section>",
+        "<component type=\"fill\"><location>tl</location><material>mat_2</material></component>\
+         </cross_section>",
+        "did you mean \"mat_1\"?",
+    ),
+    (
+        "box.xml",
+        "</cross_section>",
+        "<component type=\"filler\"></component></cross_section>",
+        "expected type \"laminate\" or \"fill\"",
     ),
     (
         "box.xml",

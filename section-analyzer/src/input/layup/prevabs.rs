@@ -7,6 +7,7 @@
 //! | layups inward of them, from the base line | layers from the outside in |
 //! | fiber angle from x1 toward the direction of the base line | `toward = "contour"`, with the other sign where the line runs counterclockwise |
 //! | a straight segment between both sides | a web |
+//! | a component of the type "fill" with a location | a fill between the nearest webs |
 //!
 //! The points z of the file become x = R(rotate) scale (z + translate); thicknesses are not scaled.
 //!
@@ -25,6 +26,7 @@ mod assembly;
 mod components;
 mod contour;
 mod files;
+mod fills;
 mod geometry;
 mod layups;
 mod materials;
@@ -78,12 +80,20 @@ fn section<'x>(
     let layups = layups::read(&parts("layups"), &known, notes);
     let mut geometry = Geometry::new(&parts("baselines"), path, notes);
     let components = components::read(main, &mut geometry, &layups, notes);
-    let used = components
+    let fills = fills::read(main, &mut geometry, &known, notes);
+    let mut used = components
         .as_ref()
         .map_or_else(Vec::new, components::List::materials);
+    for fill in fills.iter().flatten() {
+        if !used.contains(&fill.material.as_str()) {
+            used.push(&fill.material);
+        }
+    }
     let constants = known.constants(&used, treatment, notes);
-    let placed = components?.placed(&place?, notes)?;
-    let made = assembly::assemble(placed, notes)?;
+    let place = place?;
+    let placed = components?.placed(&place, notes)?;
+    let fills = fills?.into_iter().map(|fill| fill.placed(&place));
+    let made = assembly::assemble(placed, fills.collect(), notes)?;
     notes.remarks.push(
         "the file has no units: its numbers are taken as SI units, and results are in the units \
          of the file if these are consistent"
@@ -95,7 +105,7 @@ fn section<'x>(
         places: Vec::new(),
         layers: made.layers,
         webs: made.webs,
-        fills: Vec::new(),
+        fills: made.fills,
         size: None,
         line: None,
         stations: Vec::new(),

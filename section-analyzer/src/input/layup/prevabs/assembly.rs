@@ -1,25 +1,28 @@
 //! The layup of the components: one of them is the shell, the others are webs.
 
 use super::super::course::Course;
+use super::super::fills::WrittenFill;
 use super::super::shape::Shape;
 use super::super::{WrittenLayer, WrittenWeb, wrong_names};
 use super::components::{List, Segment};
 use super::contour::{self, Chain, Contour};
 use super::files::Notes;
+use super::fills::Fill;
 use super::geometry::extent;
 use super::{Points, stack, webs};
 
-/// Shape, layers and webs of a section.
+/// Shape, layers, webs and fills of a section.
 pub(super) struct Made {
     pub shape: Shape,
     pub layers: Vec<WrittenLayer>,
     pub webs: Vec<WrittenWeb>,
+    pub fills: Vec<WrittenFill>,
     /// Line of the first segment of the shell.
     pub line: usize,
 }
 
-/// The layup of components whose points are in the axes of the section; notes problems.
-pub(super) fn assemble(list: List<'_>, notes: &mut Notes) -> Option<Made> {
+/// The layup of components and fills whose points are in the axes of the section; notes problems.
+pub(super) fn assemble(list: List<'_>, fills: Vec<Fill<'_>>, notes: &mut Notes) -> Option<Made> {
     let shell = shell(&list, notes)?;
     let Shell {
         segments,
@@ -39,8 +42,13 @@ pub(super) fn assemble(list: List<'_>, notes: &mut Notes) -> Option<Made> {
         .collect();
     let webs: Option<Vec<WrittenWeb>> = made.into_iter().collect();
     let layers = stack::layers(&segments, &contour.pieces);
-    let webs = webs?;
-    if let Some((line, problem)) = wrong_names(&layers, &webs, &[]).into_iter().next() {
+    let fills: Vec<Option<WrittenFill>> = fills
+        .into_iter()
+        .map(|fill| fill.written(&contour.points, &rest, notes))
+        .collect();
+    let fills: Option<Vec<WrittenFill>> = fills.into_iter().collect();
+    let (webs, fills) = (webs?, fills?);
+    if let Some((line, problem)) = wrong_names(&layers, &webs, &fills).into_iter().next() {
         let found = problem.to_string();
         let help = "give the segments names of their own";
         notes.wrong_on(
@@ -61,6 +69,7 @@ pub(super) fn assemble(list: List<'_>, notes: &mut Notes) -> Option<Made> {
         shape,
         layers,
         webs,
+        fills,
         line: first.line(),
     })
 }

@@ -89,7 +89,7 @@ impl List<'_> {
     }
 }
 
-/// The components of a main file; notes problems and components that are not read.
+/// The components of a main file but fills; notes problems and components that are not read.
 pub(super) fn read<'x>(
     main: Element<'x>,
     geometry: &mut Geometry<'x>,
@@ -100,17 +100,17 @@ pub(super) fn read<'x>(
     let mut is_complete = true;
     let mut names = HashSet::new();
     for element in main.named("component") {
-        let kind = element.attribute("type").unwrap_or("laminate");
-        if !matches!(kind, "" | "laminate") {
-            let found = format!("type \"{}\"", shortened(kind));
-            let help = match kind {
-                "fill" => "remove the component, and add a [[fill]] to the written layup file",
-                _ => "correct the type",
-            };
-            let expected = "type \"laminate\"";
-            notes.wrong(element, [&element.shown(), &found, expected, help]);
-            is_complete = false;
-            continue;
+        match element.attribute("type").unwrap_or("laminate") {
+            "" | "laminate" => {}
+            "fill" => continue,
+            kind => {
+                let found = format!("type \"{}\"", shortened(kind));
+                let expected = "type \"laminate\" or \"fill\"";
+                let texts = [&element.shown(), &found, expected, "correct the type"];
+                notes.wrong(element, texts);
+                is_complete = false;
+                continue;
+            }
         }
         let mut segments = Vec::new();
         for (i, one) in element.named("segment").enumerate() {

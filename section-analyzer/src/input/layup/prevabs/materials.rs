@@ -76,15 +76,22 @@ impl<'x> Known<'x> {
         let thickness = element.required("thickness", notes);
         let thickness = positive(thickness?.0, notes);
         let (at, material) = material?;
-        if !self.materials.contains_key(material.as_str()) {
-            let names = self.names();
-            notes.unknown(at, ["the material", &material], &names);
+        if !self.has(&material, at, notes) {
             return None;
         }
         Some(Lamina {
             material,
             thickness: thickness?,
         })
+    }
+
+    /// Whether there is a material of a name; notes another name.
+    pub fn has(&self, material: &str, at: Element<'_>, notes: &mut Notes) -> bool {
+        let is_known = self.materials.contains_key(material);
+        if !is_known {
+            notes.unknown(at, ["the material", material], &self.names());
+        }
+        is_known
     }
 
     fn names(&self) -> Vec<&'x str> {
