@@ -42,8 +42,8 @@ const LAST: f64 = 1e-4;
 /// Correction below which the equilibrium is found when the residual does not fall any more.
 const SETTLED: f64 = 1e-7;
 
-/// Moves `balance` to an equilibrium, by short steps or usual ones; the report of the last Newton iteration, with all steps in
-/// its history, or `None` if none was found.
+/// Moves `balance` to an equilibrium, by short steps or usual ones; the report of the last Newton iteration,
+/// with all steps in its history, or `None` if none was found.
 pub(super) fn settle(balance: &mut Balance<'_>, is_short: bool) -> Option<NewtonReport> {
     let largest = if is_short { SHORT_LARGEST } else { LARGEST };
     let start = balance.state.clone();

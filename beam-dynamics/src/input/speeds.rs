@@ -1,9 +1,9 @@
 //! The requested modes: rotor speeds, the number of modes, and animated shapes.
 
+use shared_geom::document::Table;
 use shared_geom::document::schema::ValueKind::{
     Boolean, Count, Quantities, Quantity, Table as OneTable,
 };
-use shared_geom::document::{Item, Table};
 use shared_geom::error::Explain;
 use shared_geom::keys;
 use shared_geom::units::Dimension;
@@ -46,8 +46,6 @@ keys! {
     STEPS: usize = "steps", [Count(MOST_SPEEDS)], required, "6";
 }
 
-/// Description of the speeds.
-const LIST: &str = "a list of rotation speeds, or { from, to, steps }";
 /// Default number of modes.
 const DEFAULT_COUNT: usize = 10;
 /// Speeds of one run: more are treated as an error.
@@ -95,8 +93,8 @@ pub(super) fn read(root: &Table<'_>) -> Option<ModesSettings> {
 }
 
 fn speeds(table: &Table<'_>) -> Option<Vec<f64>> {
-    let item = Some(table.require_item(&SPEEDS, LIST)?);
-    let text = item.as_ref().and_then(Item::text).unwrap_or_default();
+    let item = table.require_item(&SPEEDS, SPEEDS.schema.expected)?;
+    let text = item.text().unwrap_or_default();
     if let Some(ends) = ends(text) {
         let (found, ends) = (text.to_owned(), ends.map(str::to_owned));
         table.note(&SPEEDS, &RangeAsText { found, ends });

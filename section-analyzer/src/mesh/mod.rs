@@ -37,6 +37,7 @@ pub use laminate::{
     Lamina, LaminaCell, LaminaFace, LaminaProblem, LaminaSide, Laminated, Wall, add_laminae,
     of_laminae,
 };
+pub(crate) use overlap::is_within;
 pub(crate) use parts::Sets;
 pub(crate) use plane::{distance, polygon_area};
 pub use problem::{Inversion, MeshProblem, Part};

@@ -107,7 +107,7 @@ fn crossing(p: [f64; 2], q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
 }
 
 /// Whether a ray from the point crosses the polygon an odd number of times.
-fn is_within(polygon: &[[f64; 2]], [y, z]: [f64; 2]) -> bool {
+pub(crate) fn is_within(polygon: &[[f64; 2]], [y, z]: [f64; 2]) -> bool {
     let crossed = edges(polygon).filter(|(a, b)| {
         (a[1] > z) != (b[1] > z) && y < a[0] + (z - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
     });

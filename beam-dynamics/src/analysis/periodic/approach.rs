@@ -57,6 +57,10 @@ pub(super) fn approach(
         state.copy_from(&last);
         return Err(first);
     };
+    let short = Shooting {
+        settings: &short,
+        ..*shooting
+    };
     let from = shooting.border.reached(&orbit.end);
     let mut met = orbit;
     let (mut part, mut step) = (0.0, FIRST);
@@ -65,8 +69,7 @@ pub(super) fn approach(
         let border = shooting.border.partly(&from, |_| next);
         let partly = Shooting {
             border: &border,
-            settings: &short,
-            ..*shooting
+            ..short
         };
         state.copy_from(&met.state);
         match partly.solve(flow, state, passes) {
@@ -78,12 +81,7 @@ pub(super) fn approach(
             Err(_) => step *= 0.5,
         }
     }
-    let partly = Shooting {
-        settings: &short,
-        ..*shooting
-    };
-    let found = without_one(&partly, flow, (state, &met), passes);
-    let (beyond, met) = match found {
+    let (beyond, met) = match without_one(&short, flow, (state, &met), passes) {
         Some((index, orbit)) => (Some(shooting.border.target_name(index)), orbit),
         None => (None, met),
     };
@@ -101,12 +99,12 @@ fn without_one(
 ) -> Option<(usize, Orbit)> {
     let reached = shooting.border.reached(&met.end);
     let errors = shooting.border.errors(&reached);
-    let mut open: Vec<_> = (0..errors.len()).collect();
-    open.retain(|index| errors[*index].abs() > NOT_MET);
-    open.sort_by(|a, b| errors[*b].abs().total_cmp(&errors[*a].abs()));
     if errors.len() < 2 {
         return None;
     }
+    let mut open: Vec<_> = (0..errors.len()).collect();
+    open.retain(|index| errors[*index].abs() > NOT_MET);
+    open.sort_by(|a, b| errors[*b].abs().total_cmp(&errors[*a].abs()));
     open.into_iter().take(TRIED).find_map(|index| {
         let is_free = |target| if target == index { 0.0 } else { 1.0 };
         let border = shooting.border.partly(&reached, is_free);

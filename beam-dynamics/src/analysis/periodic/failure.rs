@@ -154,26 +154,11 @@ impl PeriodicFailure {
     }
 
     /// The failure with stall at the last motion of growing targets.
-    pub(super) fn with_stall(self, found: Option<Stall>) -> Self {
-        match (self, found) {
-            (
-                Self::Limited {
-                    first,
-                    beyond,
-                    reached,
-                    controls,
-                    ..
-                },
-                Some(found),
-            ) => Self::Limited {
-                first,
-                beyond,
-                reached,
-                controls,
-                stall: format!("; there {}", found.text("over the period")),
-            },
-            (failure, _) => failure,
+    pub(super) fn with_stall(mut self, found: Option<Stall>) -> Self {
+        if let (Self::Limited { stall, .. }, Some(found)) = (&mut self, found) {
+            *stall = format!("; there {}", found.text("over the period"));
         }
+        self
     }
 
     /// The likeliest remedy.

@@ -131,8 +131,13 @@ impl<'a> Source<'a> {
 
     /// Values of the controls at a value that was evaluated.
     pub fn controls(&self, at: f64) -> Vec<f64> {
-        let known = self.known.iter().find(|known| known.at == at);
+        let known = self.known_at(at);
         known.map_or_else(Vec::new, |known| known.controls.clone())
+    }
+
+    /// The result at a value that was evaluated.
+    fn known_at(&self, at: f64) -> Option<&Known> {
+        self.known.iter().find(|known| known.at == at)
     }
 
     /// The roots at a value.
@@ -165,7 +170,7 @@ impl<'a> Source<'a> {
     }
 
     fn keep(&mut self, at: f64, state: &State, controls: Vec<f64>) {
-        if !self.known.iter().any(|known| known.at == at) {
+        if self.known_at(at).is_none() {
             self.known.push(Known {
                 at,
                 state: state.clone(),
@@ -206,13 +211,6 @@ impl<'a> Source<'a> {
         self.settings.sweep.values.contains(&at)
     }
 
-    /// Whether errors of multipliers count as doubt of their growth: if the file requests the estimate.
-    fn counts_errors(&self, at: f64) -> Result<bool, Failed> {
-        let input = self.input(at)?;
-        let own = input.periodic.and_then(|own| own.floquet);
-        Ok(own.is_some_and(|own| own.estimates_error))
-    }
-
     fn input(&self, at: f64) -> Result<Input, Failed> {
         (self.read)(&[(self.settings.sweep.parameter.clone(), at)]).map_err(unread)
     }
@@ -235,38 +233,31 @@ impl<'a> Source<'a> {
                 || self.count >= COMPUTED[1]
                 || shows_all(&table, self.count);
             if is_complete {
-                self.note_period(at)?;
-                let vacuum = self.vacuum_of_period(at, table.modes.len())?;
-                return Ok(self.shown((&table, vacuum), period, self.counts_errors(at)?));
+                let input = self.input(at)?;
+                self.note_period(at, &input);
+                let vacuum = self.vacuum_of_period(at, &input, table.modes.len());
+                return Ok(self.shown((&table, vacuum), period, counts_errors(&input)));
             }
             self.count = (2 * self.count).min(COMPUTED[1]);
         }
     }
 
-    /// Notes the operating point of the periodic motion at a value.
-    fn note_period(&mut self, at: f64) -> Result<(), Failed> {
-        let known = self.known.iter().find(|known| known.at == at);
-        let Some(state) = known.map(|known| known.state.clone()) else {
-            return Ok(());
-        };
-        let input = self.input(at)?;
-        let from = input.periodic.as_ref().map_or(0.0, |own| own.start.from);
-        let conditions = input.model.conditions_at(from);
-        self.note_operation(at, (&input, &state), &conditions);
-        Ok(())
+    /// Notes the operating point of the periodic motion at a value, for which the file has been read.
+    fn note_period(&mut self, at: f64, input: &Input) {
+        if let Some(state) = self.known_at(at).map(|known| known.state.clone()) {
+            let from = input.periodic.as_ref().map_or(0.0, |own| own.start.from);
+            let conditions = input.model.conditions_at(from);
+            self.note_operation(at, (input, &state), &conditions);
+        }
     }
 
     /// The averaged modes without air about the periodic motion at a value, and whether the air has states.
-    fn vacuum_of_period(&self, at: f64, wanted: usize) -> Result<Vacuum, Failed> {
-        let input = self.input(at)?;
-        let known = self.known.iter().find(|known| known.at == at);
-        let Some((settings, known)) = input.periodic.as_ref().zip(known) else {
-            return Ok(None);
-        };
+    fn vacuum_of_period(&self, at: f64, input: &Input, wanted: usize) -> Vacuum {
+        let (settings, known) = input.periodic.as_ref().zip(self.known_at(at))?;
         let words = input.words();
-        let modes = modes_without_air(&input.model, settings, &known.state, (wanted, words));
+        let modes = modes_without_air(&input.model, settings, &known.state, (wanted, words))?;
         let has_states = !input.model.system.scalars().is_empty();
-        Ok(modes.map(|modes| (averaged_roots(&modes, words), has_states)))
+        Some((averaged_roots(&modes, words), has_states))
     }
 
     /// By the averaged equations about the periodic motion.
@@ -277,13 +268,12 @@ impl<'a> Source<'a> {
             Some(trim) => input = self.trimmed(at, trim)?.0,
             None => drop(self.periodic(at)?),
         }
-        let known = self.known.iter().find(|known| known.at == at);
-        let both = input.periodic.as_ref().zip(known);
+        let both = input.periodic.as_ref().zip(self.known_at(at));
         let (settings, known) = both.ok_or_else(|| nothing("there is no periodic motion"))?;
         let words = input.words();
         let wanted = COMPUTED[0].max(self.settings.count.unwrap_or(0));
         let found = averaged_modes(&input.model, settings, &known.state, (wanted, words))?;
-        self.note_period(at)?;
+        self.note_period(at, &input);
         let is_counted = self.settings.count.is_some();
         if let Some(last) = found.complete_to {
             let known = self.complete_to.unwrap_or(f64::INFINITY);
@@ -357,6 +347,12 @@ impl<'a> Source<'a> {
         });
         roots
     }
+}
+
+/// Whether errors of multipliers count as doubt of their growth: if the file requests the estimate.
+fn counts_errors(input: &Input) -> bool {
+    let own = input.periodic.as_ref().and_then(|own| own.floquet.as_ref());
+    own.is_some_and(|own| own.estimates_error)
 }
 
 /// Requests `count` multipliers of the periodic motion, or none, with errors at requested values unless the

@@ -1,5 +1,5 @@
-//! From which inputs results are made, and results of a section of which the strengths of materials alone have changed: they are of the new input
-//! too, and it is not solved again.
+//! The inputs from which results are made, and results of a section of which the strengths of materials alone
+//! have changed: they are of the new input too, and it is not solved again.
 
 use shared_geom::files::write_whole;
 use shared_geom::hash::sha256_of;

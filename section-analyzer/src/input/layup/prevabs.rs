@@ -81,12 +81,12 @@ fn section<'x>(
     let mut geometry = Geometry::new(&parts("baselines"), path, notes);
     let components = components::read(main, &mut geometry, &layups, notes);
     let fills = fills::read(main, &mut geometry, &known, notes);
-    let mut used = components
-        .as_ref()
-        .map_or_else(Vec::new, components::List::materials);
-    for fill in fills.iter().flatten() {
-        if !used.contains(&fill.material.as_str()) {
-            used.push(&fill.material);
+    let of_plies = components.iter().flat_map(components::List::materials);
+    let of_fills = fills.iter().flatten().map(|fill| fill.material.as_str());
+    let mut used = Vec::new();
+    for material in of_plies.chain(of_fills) {
+        if !used.contains(&material) {
+            used.push(material);
         }
     }
     let constants = known.constants(&used, treatment, notes);

@@ -72,7 +72,7 @@ impl Source<'_> {
         };
         let (input, _) = self.trimmed(at, trim)?;
         let (conditions, _) = small_motions(&input).ok_or_else(|| nothing("[trim] is missing"))?;
-        let known = self.known.iter().find(|known| known.at == at);
+        let known = self.known_at(at);
         let state = known.map(|known| known.state.clone());
         let steady = state.map(|state| Equilibrium {
             state,

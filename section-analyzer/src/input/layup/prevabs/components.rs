@@ -53,16 +53,11 @@ pub(super) struct List<'x> {
 }
 
 impl List<'_> {
-    /// The names of the materials that the layups use.
-    pub fn materials(&self) -> Vec<&str> {
+    /// The names of the materials of all plies.
+    pub fn materials(&self) -> impl Iterator<Item = &str> {
         let segments = self.components.iter().flat_map(|one| &one.segments);
-        let mut used: Vec<&str> = Vec::new();
-        for ply in segments.flat_map(|segment| &segment.plies) {
-            if !used.contains(&ply.material.as_str()) {
-                used.push(&ply.material);
-            }
-        }
-        used
+        let plies = segments.flat_map(|segment| &segment.plies);
+        plies.map(|ply| ply.material.as_str())
     }
 
     /// The components with their points in the axes of the section; notes points that are no

@@ -8,6 +8,7 @@ use super::components::Segment;
 use super::files::{Element, Notes};
 use super::geometry::{Geometry, Placement};
 use super::materials::Known;
+use crate::mesh::is_within;
 
 /// A web with less height than this part of its length has no side ahead of it.
 const FLAT: f64 = 1e-3;
@@ -83,7 +84,7 @@ impl Fill<'_> {
         webs: &[&Segment<'_>],
         notes: &mut Notes,
     ) -> Option<WrittenFill> {
-        if !is_inside(self.at, contour) {
+        if !is_within(contour, self.at) {
             let found = format!("the point ({}, {})", self.at[0], self.at[1]);
             let expected = "a <location> inside of the contour";
             let help = "name a point of the space that is filled";
@@ -127,14 +128,4 @@ fn ahead_by(web: &Segment<'_>, at: [f64; 2]) -> Option<f64> {
     let (first, last) = (web.points[0], web.points[web.points.len() - 1]);
     let [dy, dz] = [last[0] - first[0], last[1] - first[1]];
     (dz.abs() > FLAT * dy.hypot(dz)).then(|| first[0] + (at[1] - first[1]) * dy / dz - at[0])
-}
-
-/// Whether a point is inside of a closed line, by the sides that a ray along y crosses.
-fn is_inside(at: [f64; 2], line: &[[f64; 2]]) -> bool {
-    let ends = line.iter().zip(line.iter().cycle().skip(1));
-    let crossed = ends.filter(|(a, b)| {
-        (a[1] > at[1]) != (b[1] > at[1])
-            && at[0] < a[0] + (at[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1])
-    });
-    crossed.count() % 2 == 1
 }
