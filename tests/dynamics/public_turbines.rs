@@ -177,3 +177,42 @@ fn the_blade_of_nrel_5mw_flutters_at_overspeed() {
     let [below, above] = [0.999, 1.001].map(|part| growth(part * boundary.at));
     assert!(below < 0.0 && above > 0.0, "{below} {above}");
 }
+
+/// The IEA 15 MW blade flutters in its second edgewise mode (page of the case: 12.30 rpm, 1.65 Hz). The air changes
+/// its shape so much that it is nearer to the first flapwise mode without air there; but it continues from below,
+/// and has one name on both sides of its boundary. Its frequency falls from 2.16 Hz by less than 20 % a step, which
+/// no other root does: the next ones are 20 % away or more, or have ten times its damping.
+#[test]
+fn a_mode_that_flutters_keeps_its_name() {
+    let file = "cases/dynamics/turbine_modes/iea15_overspeed.dynamics.toml";
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (model, _) = text.split_once("[stability]").unwrap();
+    let text = format!(
+        "{model}[stability]\nparameter = \"rpm\"\nvalues = [9, 10.5, 12, 13.5, 15]\ntolerance = 1e-2\n"
+    );
+    let read = |given: &[(String, f64)]| input::parse_with(&text, &path, given);
+    let input = read(&[]).unwrap_or_else(|problems| panic!("{problems}"));
+    let result = stability("overspeed", &input.stability.unwrap(), None, &read);
+    let [boundary] = &result.boundaries[..] else {
+        panic!("{:#?}", result.boundaries);
+    };
+    assert_eq!(boundary.name, "edge 2");
+    assert!((boundary.at - 12.30).abs() < 0.06, "{boundary:?}");
+    let roots: Vec<_> = (0..5).map(|index| root(&result, index, "edge 2")).collect();
+    let hertz = |root: &StabilityRoot| root.frequency() / TAU;
+    assert!((hertz(roots[0]) - 2.16).abs() < 0.01, "{}", hertz(roots[0]));
+    for pair in roots.windows(2) {
+        let ratio = hertz(pair[1]) / hertz(pair[0]);
+        assert!((0.8..1.0).contains(&ratio), "{ratio}");
+        let damping = pair[1].growth() / pair[1].exponent.norm();
+        assert!(damping > -0.09, "{damping}");
+    }
+    // Each name is one root of a value.
+    for point in &result.points {
+        let mut modes = point.modes.clone();
+        modes.sort_unstable();
+        modes.dedup();
+        assert_eq!(modes.len(), point.roots.len(), "{:?}", result.modes);
+    }
+}

@@ -40,6 +40,8 @@ pub struct StabilityRoot {
     /// Whether name, number and pattern identify the mode at all values; else modes are followed from value
     /// to value.
     pub is_named: bool,
+    /// Difference of the root from the mode without air that gives it its name (D-425); `None` if no mode does \[-\].
+    pub unlikeness: Option<f64>,
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None`: modes
     /// of one name are numbered behind it.
     pub pattern: Option<String>,
@@ -82,6 +84,7 @@ impl StabilityRoot {
             blades: None,
             number: 1,
             is_named: false,
+            unlikeness: None,
             pattern: None,
             waves: None,
             shape: [Vec::new(), Vec::new()],

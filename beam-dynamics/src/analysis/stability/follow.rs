@@ -9,6 +9,8 @@
 //! the energy of a mode is shared by several frequencies, c is the least one of them, each with the
 //! shape that it has there, and the mode continues at that frequency.
 
+use std::collections::BTreeSet;
+
 use crate::result::{StabilityPoint, StabilityRoot};
 
 /// Weight of the shape beside the exponent [-].
@@ -87,6 +89,10 @@ pub fn links(before: &[StabilityRoot], after: &[StabilityRoot]) -> Vec<Option<Li
 /// mode that was missing continues where a root of its name and pattern is near to its last one. New
 /// modes of a point are named by ascending frequency in the axes of the blades.
 pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
+    // Names of identified modes are the ones of no other.
+    let all = points.iter().flat_map(|point| &point.roots);
+    let identified = all.filter(|root| root.is_named);
+    let reserved: BTreeSet<String> = identified.map(|root| numbered(root, root.number)).collect();
     let mut names: Vec<String> = Vec::new();
     // The last root of each mode.
     let mut last: Vec<StabilityRoot> = Vec::new();
@@ -113,7 +119,7 @@ pub(super) fn number(points: &mut [StabilityPoint]) -> Vec<String> {
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         for index in new {
-            names.push(new_name(&names, &roots[index]));
+            names.push(new_name((&names, &reserved), &roots[index]));
             last.push(roots[index].clone());
             modes[index] = Some(names.len() - 1);
         }
@@ -157,11 +163,14 @@ fn continued(
     }
 }
 
-/// A name that no mode has, from the number of the root on.
-fn new_name(names: &[String], root: &StabilityRoot) -> String {
+/// The name of an identified root, or else one that no mode has, from the number of the root on.
+fn new_name((names, reserved): (&[String], &BTreeSet<String>), root: &StabilityRoot) -> String {
+    if root.is_named {
+        return numbered(root, root.number);
+    }
     let mut numbers = (root.number..).map(|number| numbered(root, number));
     numbers
-        .find(|name| !names.contains(name))
+        .find(|name| !names.contains(name) && !reserved.contains(name))
         .unwrap_or_else(|| root.name.clone())
 }
 

@@ -15,7 +15,8 @@
 //!
 //! the kinetic energy as a part of the potential one, is not the mode of this shape where the air has states.
 //!
-//! So the name of a root depends on the state at its value alone, and not on other values of a sweep.
+//! So the name of a root depends on the state at its value alone; where that is not clear, [`super::votes`] give one
+//! name along a mode that continues.
 
 use std::collections::BTreeMap;
 
@@ -35,9 +36,13 @@ const OF_AIR: &str = "aerodynamic";
 /// The roots of a value with names and numbers that identify them at all values. Of a model in air `vacuum` has
 /// its modes without air, and whether the air has states.
 pub(super) fn named(mut roots: Vec<StabilityRoot>, vacuum: Vacuum) -> Vec<StabilityRoot> {
+    let has_modes = vacuum.is_some();
     give_names(&mut roots, vacuum);
     let is_same = |a: &StabilityRoot, b: &StabilityRoot| is_alike(a, b) && a.number == b.number;
-    let is_once = |root: &StabilityRoot| roots.iter().filter(|own| is_same(own, root)).count() == 1;
+    let is_once = |root: &StabilityRoot| {
+        let is_mode = !has_modes || is_of_part(root) || root.unlikeness.is_some();
+        is_mode && roots.iter().filter(|own| is_same(own, root)).count() == 1
+    };
     let once: Vec<_> = roots.iter().map(is_once).collect();
     let both = roots.iter_mut().zip(once);
     both.for_each(|(root, is_once)| root.is_named = is_once);
@@ -192,6 +197,7 @@ fn ascend(mode_of: &mut [Option<usize>], roots: &[StabilityRoot], modes: &[Stabi
 /// Gives the name of a mode without air to a root, which keeps its own pattern, or none, and notes whether this
 /// mode is damped.
 fn take(root: &mut StabilityRoot, mode: &StabilityRoot) {
+    root.unlikeness = Some(cost(root, mode));
     root.name.clone_from(&mode.name);
     if root.pattern.is_none() {
         root.pattern.clone_from(&mode.pattern);

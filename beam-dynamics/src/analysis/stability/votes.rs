@@ -2,7 +2,9 @@
 //!
 //! A root is named from its own state, and where two modes without air are nearly as near to it, its name may
 //! change from value to value. Of the roots that continue each other (D-330), the name that at least two thirds of
-//! them have becomes the one of all.
+//! them have becomes the one of all. Where the air changes a mode so much that no name has so many, as a mode that
+//! flutters, all have the name of the root that is nearest to its mode without air (D-425), among the names that
+//! no other mode has at the same values.
 
 use super::follow::links;
 use crate::result::{StabilityPoint, StabilityRoot};
@@ -12,6 +14,9 @@ const LEAST: usize = 3;
 
 /// Number of a point, and of a root there.
 type Place = (usize, usize);
+
+/// A chain of roots with its name, and the number of roots that had it.
+type Named = ((Key, usize), Vec<Place>);
 
 /// A name without the pattern, which does not change along a mode.
 type Key = (String, usize);
@@ -23,10 +28,22 @@ fn key(root: &StabilityRoot) -> Key {
 /// Gives roots along modes the name of most of them; roots of one value that then have one name are no longer
 /// identified by it, but the one whose mode has most votes.
 pub(super) fn settle(points: &mut [StabilityPoint]) {
-    let elected: Vec<_> = chains(points)
+    let (elected, others) = named_chains(points);
+    let is_named = |(point, root): &Place| points[*point].roots[*root].is_named;
+    let others: Vec<_> = others
         .into_iter()
-        .filter_map(|chain| Some((elected(points, &chain)?, chain)))
+        .filter(|chain| !chain.iter().all(is_named))
         .collect();
+    for chain in others {
+        let Some((name, number)) = motion(points, &chain) else {
+            continue;
+        };
+        for (point, root) in chain {
+            let own = &mut points[point].roots[root];
+            own.name.clone_from(&name);
+            (own.number, own.is_named) = (number, false);
+        }
+    }
     let mut votes: Vec<Vec<usize>> = points.iter().map(|at| vec![0; at.roots.len()]).collect();
     for (((name, number), count), chain) in &elected {
         for &(point, root) in chain {
@@ -51,6 +68,73 @@ pub(super) fn settle(points: &mut [StabilityPoint]) {
             root.is_named &= !is_beaten;
         }
     }
+}
+
+/// Chains of roots with a name for all of them, and the number of roots that had it; and chains with none.
+fn named_chains(points: &[StabilityPoint]) -> (Vec<Named>, Vec<Vec<Place>>) {
+    let long = chains(points)
+        .into_iter()
+        .filter(|chain| chain.len() >= LEAST);
+    let (named, others): (Vec<_>, Vec<_>) = long
+        .map(|chain| (elected(points, &chain), chain))
+        .partition(|own| own.0.is_some());
+    let mut others: Vec<_> = others.into_iter().map(|(_, chain)| chain).collect();
+    let mut done: Vec<_> = named
+        .into_iter()
+        .filter_map(|(name, chain)| Some((name?, chain)))
+        .collect();
+    loop {
+        let nearest = others.iter().enumerate().filter_map(|(index, chain)| {
+            let (name, unlikeness) = nearest(points, (chain, &done))?;
+            Some((index, name, unlikeness))
+        });
+        let Some((index, name, _)) = nearest.min_by(|a, b| a.2.total_cmp(&b.2)) else {
+            return (done, others);
+        };
+        done.push((name, others.swap_remove(index)));
+    }
+}
+
+/// The name of the root of a chain that is nearest to its mode without air, among the ones that no other chain has at the
+/// same values, with the number of roots that have it; and the difference from the mode.
+fn nearest(
+    points: &[StabilityPoint],
+    (chain, others): (&[Place], &[Named]),
+) -> Option<((Key, usize), f64)> {
+    let root = |(point, root): &Place| &points[*point].roots[*root];
+    let is_free = |own: &&StabilityRoot| {
+        !others.iter().any(|((name, _), other)| {
+            let is_beside = |place: &Place| {
+                chain.iter().any(|own| own.0 == place.0) && root(place).pattern == own.pattern
+            };
+            *name == key(own) && other.iter().any(is_beside)
+        })
+    };
+    let free = chain
+        .iter()
+        .map(root)
+        .filter(|own| own.is_named)
+        .filter(is_free);
+    let free: Vec<_> = free
+        .filter_map(|own| Some((key(own), own.unlikeness?)))
+        .collect();
+    let (name, unlikeness) = free.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let votes = free.iter().filter(|own| own.0 == *name).count();
+    Some(((name.clone(), votes), *unlikeness))
+}
+
+/// The motion that most roots of a chain without a name have, and the least of their numbers.
+fn motion(points: &[StabilityPoint], chain: &[Place]) -> Option<Key> {
+    let roots = chain
+        .iter()
+        .map(|(point, root)| &points[*point].roots[*root]);
+    let keys: Vec<_> = roots.map(key).collect();
+    let count = |name: &String| keys.iter().filter(|own| own.0 == *name).count();
+    let most = keys.iter().max_by(|a, b| {
+        let by_count = count(&a.0).cmp(&count(&b.0));
+        by_count.then_with(|| b.cmp(a))
+    });
+    most.cloned()
 }
 
 /// The roots that continue each other.
@@ -96,7 +180,7 @@ fn elected(points: &[StabilityPoint], chain: &[Place]) -> Option<(Key, usize)> {
         by_count.then_with(|| b.cmp(a))
     })?;
     let votes = count(most);
-    (chain.len() >= LEAST && 3 * votes >= 2 * chain.len()).then(|| (most.clone(), votes))
+    (3 * votes >= 2 * chain.len()).then(|| (most.clone(), votes))
 }
 
 #[cfg(test)]
@@ -152,5 +236,44 @@ mod tests {
         let mut odd = vec![at(0.0, 1), at(1.0, 3), at(2.0, 4)];
         settle(&mut odd);
         assert_eq!(odd[2].roots[0].number, 4);
+    }
+
+    // The air changes a mode from value to value: all have the name of the value where its root is nearest to a mode
+    // without air, unless another one has this name there; a root of no mode has the motion of most of its chain.
+    #[test]
+    fn a_mode_that_the_air_changes_has_the_name_of_the_nearest_value() {
+        let at = |k: usize, [first, second]: [(&str, usize, Option<f64>); 2]| {
+            let low = (first.0, first.1, 8.0 + 0.01 * k as f64);
+            let high = (second.0, second.1, 20.0 + 0.01 * k as f64);
+            let mut point = point(k as f64, &[low, high]);
+            for (root, own) in point.roots.iter_mut().zip([first, second]) {
+                root.unlikeness = own.2;
+                root.is_named = own.2.is_some();
+            }
+            point
+        };
+        let flap = |number, unlikeness| ("flap", number, Some(unlikeness));
+        let edge = |number, unlikeness| ("edge", number, Some(unlikeness));
+        let mut points = vec![
+            at(0, [edge(2, 0.5), flap(3, 0.2)]),
+            at(1, [flap(1, 1.4), flap(3, 0.2)]),
+            at(2, [flap(3, 0.1), flap(4, 0.2)]),
+            at(3, [("flap", 9, None), flap(3, 0.2)]),
+        ];
+        settle(&mut points);
+        let names = |points: &[StabilityPoint], root: usize| -> Vec<Key> {
+            points.iter().map(|point| key(&point.roots[root])).collect()
+        };
+        assert_eq!(names(&points, 0), vec![("edge".to_owned(), 2); 4]);
+        assert_eq!(names(&points, 1), vec![("flap".to_owned(), 3); 4]);
+        let none = |name| (name, 7, None);
+        let mut points = vec![
+            at(0, [none("aerodynamic"), flap(3, 0.2)]),
+            at(1, [none("flap"), flap(3, 0.2)]),
+            at(2, [none("aerodynamic"), flap(3, 0.2)]),
+        ];
+        settle(&mut points);
+        assert_eq!(names(&points, 0), vec![("aerodynamic".to_owned(), 7); 3]);
+        assert!(points.iter().all(|point| !point.roots[0].is_named));
     }
 }
