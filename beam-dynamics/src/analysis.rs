@@ -52,6 +52,7 @@ mod deformation;
 mod effects;
 mod fewer_modes;
 mod first_order;
+mod frozen;
 mod growing;
 pub mod identification;
 pub mod linear;

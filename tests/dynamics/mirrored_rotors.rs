@@ -3,7 +3,7 @@
 
 use beam_dynamics::analysis::periodic::periodic;
 use beam_dynamics::analysis::statics::statics;
-use beam_dynamics::elements::RotorAir;
+use beam_dynamics::elements::{RotorAir, StripQuantity};
 use beam_dynamics::input::{self, Input};
 use nalgebra::{Complex, Vector3};
 
@@ -157,7 +157,23 @@ fn mirrored(vector: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(vector.x, -vector.y, vector.z)
 }
 
-// Equilibria in hover: all nodes, with thrust and torque, to 1e-9 of the size, which are the errors of Newton's
+/// Quantities of a strip that are the same in both senses.
+const QUANTITIES: [StripQuantity; 12] = [
+    StripQuantity::AngleOfAttack,
+    StripQuantity::InflowAngle,
+    StripQuantity::InducedVelocity,
+    StripQuantity::InducedSwirl,
+    StripQuantity::FlowSpeed,
+    StripQuantity::LiftCoefficient,
+    StripQuantity::DragCoefficient,
+    StripQuantity::MomentCoefficient,
+    StripQuantity::NormalLoad,
+    StripQuantity::TangentialLoad,
+    StripQuantity::LiftLoad,
+    StripQuantity::MomentLoad,
+];
+
+// Equilibria in hover: all nodes and quantities of strips, with thrust and torque, to 1e-9 of the size, which are the errors of Newton's
 // method. Thrust and torque are about the shaft in the sense of rotation, the thrust positive upward.
 #[test]
 fn hover_in_both_senses() {
@@ -178,6 +194,17 @@ fn hover_in_both_senses() {
         for (own, image) in own.positions.iter().zip(&image.positions) {
             let off = (mirrored(own) - image).norm();
             assert!(off < 1e-9 * 5.0, "{number}: {own:?} {image:?}\n{text}");
+        }
+        for (own, image) in own.air.iter().zip(&image.air) {
+            for quantity in QUANTITIES {
+                let [own, image] = [own, image].map(|state| quantity.of(state));
+                let off = (own - image).abs();
+                let size = own.abs().max(1.0);
+                assert!(
+                    off < 1e-6 * size,
+                    "{number}: {quantity:?} {own} {image}\n{text}"
+                );
+            }
         }
         let [own, image] = found
             .each_ref()

@@ -9,6 +9,7 @@
 //! All steps are of Radau IIA: on systems with constraints the map of such a step adds nothing but
 //! multipliers of zero; two-step formulas add some that hide true ones.
 
+use crate::analysis::frozen::frozen;
 use crate::analysis::operation::Operation;
 use crate::analysis::stall::{StallSum, air_at};
 use crate::analysis::transient::{Multibody, Started, independent, start};
@@ -32,6 +33,7 @@ mod passes;
 mod pilot;
 mod shooting;
 mod sizes;
+mod step_error;
 
 pub use failure::PeriodicFailure;
 
@@ -389,7 +391,11 @@ fn stability(
             })
         }
     };
-    let held = border.unknowns();
+    let conditions = model.conditions_at(shooting.settings.start.from);
+    let tangent = model.system.tangent(&orbit.state, &conditions);
+    let [by_unknowns, by_rates] = [&tangent.by_unknowns, &tangent.by_rates];
+    let mut held = border.unknowns();
+    held.extend(frozen(by_unknowns, by_rates, model.system.numbering()));
     let fine = Monodromy {
         map: &orbit.map,
         sizes,
@@ -397,7 +403,6 @@ fn stability(
     };
     let largest =
         floquet::multipliers(&fine, settings.count).ok_or(PeriodicFailure::NoMultipliers)?;
-    let conditions = model.conditions_at(shooting.settings.start.from);
     let (mass, masses) = sizes::masses(model, (&orbit.end, &conditions));
     let observer = Observer {
         model,
@@ -407,9 +412,9 @@ fn stability(
         words: settings.words,
     };
     let coarse = coarse(shooting, &fine, (&orbit.state, flow.steps() / 2), settings);
-    // Halved steps have 2^p times the error of the exponents, p = 2 s - 1.
-    let factor = (1 << (2 * shooting.settings.stages() - 1)) - 1;
-    let coarse = coarse.as_ref().map(|coarse| (coarse, factor));
+    let coarse = coarse
+        .as_ref()
+        .map(|coarse| (coarse, shooting.settings.stages()));
     Ok(Some(floquet::table(
         (&fine, &largest),
         settings,

@@ -22,7 +22,7 @@ pub use scan::{Scan, scan};
 use super::trim::Reader;
 use crate::case::{StabilityMethod, StabilitySettings, TrimSettings};
 use crate::input::short_number;
-use crate::result::{StabilityPoint, StabilityResult};
+use crate::result::{StabilityPoint, StabilityResult, StabilityRoot};
 use source::Source;
 
 /// The stability requested by `settings`, of the file that `read` reads, trimmed as `trim` requests.
@@ -49,6 +49,7 @@ pub fn stability(
     remarks.extend(source.remarks());
     remarks.extend(of_two_blades(&found.modes, source.is_double()));
     remarks.extend(overdamped(settings, &found.points, &found.modes));
+    remarks.extend(unresolved(settings, &found.points, &found.modes));
     let mut points = found.points;
     for point in &mut points {
         point.controls = source.controls(point.at);
@@ -109,4 +110,43 @@ fn overdamped(
         })
     };
     modes.iter().enumerate().filter_map(of_mode).collect()
+}
+
+/// Part of the critical damping, and of the growth, above which the error of the steps is a remark [-].
+const UNRESOLVED: [f64; 2] = [0.005, 0.2];
+
+/// Modes whose growth has a large error by the steps of the period, as a remark.
+fn unresolved(
+    settings: &StabilitySettings,
+    points: &[StabilityPoint],
+    modes: &[String],
+) -> Option<String> {
+    let parameter = &settings.sweep.parameter;
+    let is_large = |root: &StabilityRoot, error: f64| {
+        let [damping, part] = UNRESOLVED;
+        let size = root.growth().hypot(root.in_blades);
+        !root.is_neutral && error > damping * size && error > part * root.growth().abs()
+    };
+    let of_point = |point: &StabilityPoint| {
+        let roots = point.roots.iter().zip(&point.modes);
+        let large = roots.filter_map(|(root, mode)| {
+            let error = root.error.filter(|error| is_large(root, *error))?;
+            let [growth, error] = [root.growth(), error].map(|own| short_number(own, 3));
+            let (name, at) = (&modes[*mode], short_number(point.at, 9));
+            Some(format!(
+                "\"{name}\" at {parameter} = {at}, growth {growth} 1/s, error {error} 1/s"
+            ))
+        });
+        large.collect::<Vec<_>>()
+    };
+    let all: Vec<String> = points.iter().flat_map(of_point).collect();
+    let others = match all.len() {
+        0 => return None,
+        1 => String::new(),
+        count => format!(" (and {} others)", count - 1),
+    };
+    Some(format!(
+        "the steps of the period are too long for {}{others}: more \"steps\", or stages = \"three\"",
+        all[0]
+    ))
 }

@@ -1,5 +1,6 @@
 //! Reports of strips in the air.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -89,7 +90,7 @@ pub enum StripQuantity {
     AngleOfAttack,
     /// See [`StripReport::inflow_angle`] \[rad\].
     InflowAngle,
-    /// Against the shaft [m/s].
+    /// Against the thrust [m/s].
     InducedVelocity,
     /// Around the shaft [m/s].
     InducedSwirl,
@@ -105,7 +106,7 @@ pub enum StripQuantity {
     Mach,
     /// \[-\].
     Reynolds,
-    /// Per length along the shaft, without a rotor normal to the chord [N/m].
+    /// Per length along the thrust, without a rotor normal to the chord [N/m].
     NormalLoad,
     /// Per length around the shaft, see [`AirState::tangential`] [N/m].
     TangentialLoad,
@@ -120,7 +121,26 @@ pub enum StripQuantity {
 impl StripQuantity {
     /// Its value in SI units.
     pub fn of(self, state: &AirState) -> f64 {
-        self.of_report(&state.flow).unwrap_or(state.tangential)
+        let side = state.location.side;
+        let of_report = self.of_report(&state.flow);
+        of_report.map_or(state.tangential, |value| self.on_side(side, value))
+    }
+
+    /// A value of the report in the axes of a rotor whose positive thrust has the sense `side` along its shaft, 1 or -1:
+    /// the axes along the shaft and around it have the other direction.
+    pub(crate) fn on_side(self, side: f64, value: f64) -> f64 {
+        match self {
+            Self::InflowAngle if side < 0.0 => value - PI.copysign(value),
+            _ => self.sense(side) * value,
+        }
+    }
+
+    /// The derivative of [`Self::on_side`] by the value.
+    pub(crate) fn sense(self, side: f64) -> f64 {
+        match self {
+            Self::InducedVelocity | Self::InducedSwirl | Self::NormalLoad => side,
+            _ => 1.0,
+        }
     }
 
     /// Its value in SI units in the report of the section, which does not know the load around the

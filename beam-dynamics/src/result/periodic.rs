@@ -53,6 +53,8 @@ pub struct FloquetMode {
     /// The pattern of the blades after the name and the number of the mode, perhaps empty; `None` of models
     /// without multiblade coordinates, whose modes have the name of the largest motion.
     pub pattern: Option<String>,
+    /// Number of blades of the rotor that moves, zero of a part outside the blades; `None` without multiblade coordinates.
+    pub blades: Option<usize>,
     /// Frequency in axes that turn with the blades [rad/s].
     pub in_blades: f64,
     /// Motion and momentum in multiblade coordinates at the shown frequency; empty without equal blades

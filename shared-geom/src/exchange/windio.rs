@@ -60,10 +60,21 @@ pub(super) fn recognize(text: &str) -> bool {
     has("components:") && has("blade:") && marked
 }
 
-/// Whether `text` is of version 1.
+/// Whether the blade of `text` is of version 1: other bodies may have these tables in version 2.
 pub(super) fn is_version_1(text: &str) -> bool {
-    let begins = |name: &str| text.lines().any(|line| line.trim_start().starts_with(name));
-    recognize(text) && (begins("elastic_properties_mb") || begins("outer_shape_bem"))
+    let depth = |line: &str| line.len() - line.trim_start().len();
+    let is_blade = |line: &&str| line.trim_start().starts_with("blade:");
+    let has_table = |start: usize| {
+        let mut lines = text.lines().skip(start);
+        let own = lines.next().map_or(0, depth);
+        let inside = lines.take_while(|line| line.trim().is_empty() || depth(line) > own);
+        let mut keys = inside.map(str::trim_start);
+        keys.any(|key| {
+            key.starts_with("elastic_properties_mb") || key.starts_with("outer_shape_bem")
+        })
+    };
+    let mut blades = text.lines().enumerate().filter(|(_, line)| is_blade(line));
+    recognize(text) && blades.any(|(start, _)| has_table(start))
 }
 
 /// Whether `text` is of version 2.

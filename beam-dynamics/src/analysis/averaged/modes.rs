@@ -20,6 +20,8 @@ use crate::solver::LinearSolver;
 const MOST: usize = 16;
 /// Imaginary part, relative to the value, that is round-off of a real one.
 const REAL: f64 = 1e-9;
+/// Distance of frequencies, relative, of copies of one mode.
+const COPY: f64 = 1e-6;
 
 /// A mode of the averaged equations.
 #[derive(Debug, Clone)]
@@ -146,11 +148,10 @@ fn searched(
         let mut modes = seen.modes(&lowest.pairs);
         let found = modes.iter().filter(|mode| mode.named.oscillates).count();
         if found >= wanted || is_end || requested >= MOST * wanted {
-            let all = modes.iter().map(|mode| mode.exponent.im);
-            let last = all.fold(0.0, f64::max);
+            let last = kept(&mut modes, wanted);
             let real = lowest.real.iter().map(|value| problem.real_pair(*value));
             modes.extend(seen.modes(&real.collect::<Vec<_>>()));
-            let is_all = is_end && lowest.is_all;
+            let is_all = is_end && lowest.is_all && found <= wanted;
             let complete_to = (!is_all).then_some(last);
             if found < wanted && lowest.unconfirmed > 0 {
                 let reason = format!(
@@ -167,6 +168,20 @@ fn searched(
         }
         requested *= 2;
     }
+}
+
+/// Keeps the `count` lowest oscillations with the copies of the last one, and others up to its frequency or that grow;
+/// returns this frequency \[rad/s\].
+fn kept(modes: &mut Vec<AveragedMode>, count: usize) -> f64 {
+    let oscillations = modes.iter().filter(|mode| mode.named.oscillates);
+    let mut frequencies: Vec<_> = oscillations.map(|mode| mode.exponent.im).collect();
+    frequencies.sort_by(f64::total_cmp);
+    let all = modes.iter().map(|mode| mode.exponent.im);
+    let highest = all.fold(0.0, f64::max);
+    let last = frequencies.get(count.saturating_sub(1));
+    let last = last.map_or(highest, |last| last * (1.0 + COPY));
+    modes.retain(|mode| mode.exponent.im <= last || mode.exponent.re > 0.0);
+    last
 }
 
 /// The model in which modes are seen.

@@ -17,6 +17,7 @@ use nalgebra::{Complex, Vector3};
 use super::content::{Motion, Observer};
 use super::equal::separate;
 use super::map::PeriodMap;
+use super::step_error::step_error;
 use crate::case::FloquetSettings;
 use crate::model::NODE_UNKNOWNS;
 use crate::result::{FloquetMode, FloquetTable, SeenFrequency};
@@ -87,8 +88,13 @@ pub(super) fn table(
     separate(&mut pure, observer, monodromy.sizes);
     let modes = pure.pairs.iter().map(|pair| {
         let mut mode = mode((monodromy, pair), settings, observer);
-        if let Some((coarse, factor)) = coarse {
-            mode.error = error(pair, coarse, observer.period).map(|off| off / factor as f64);
+        if let Some((coarse, stages)) = coarse {
+            // Halved steps have 2^p times the error of the exponents, p = 2 s - 1.
+            let factor = f64::from((1 << (2 * stages - 1)) - 1);
+            let step = observer.period / monodromy.map.steps() as f64;
+            let least = step_error(mode.in_blades, step, stages);
+            let found = error(pair, coarse, observer.period);
+            mode.error = found.map(|off| (off / factor).max(least));
         }
         mode
     });
@@ -161,6 +167,8 @@ fn mode(
     let named = observer.named(&content, branch, exponent);
     let in_coordinates = named.as_ref().map(|own| own.2.parts().map(<[_]>::to_vec));
     let (named, pattern) = named.map_or((None, None), |own| (Some(own.0), Some(own.1)));
+    let of_whirl = named.as_ref().map(|named| named.whirl);
+    let blades = of_whirl.map(|whirl| whirl.map_or(0, |own| own.blades));
     let largest = chosen.or(content.shares.first());
     FloquetMode {
         multiplier,
@@ -179,6 +187,7 @@ fn mode(
             |own| own.name,
         ),
         pattern,
+        blades,
         shape: shape(branch),
         is_neutral: (multiplier - 1.0).norm() < NEUTRAL,
     }

@@ -441,6 +441,7 @@ fn root_of_period(mode: &FloquetMode, period: f64, doubts: bool) -> StabilityRoo
         name: mode.name.clone(),
         in_blades: mode.in_blades,
         pattern: mode.pattern.clone(),
+        blades: mode.blades,
         shape: [mode.shape.clone(), mode.shape.clone()],
         ..StabilityRoot::new(mode.exponent)
     }

@@ -35,12 +35,13 @@ pub(super) fn settle(points: &mut [StabilityPoint]) {
         .filter(|chain| !chain.iter().all(is_named))
         .collect();
     for chain in others {
-        let Some((name, number)) = motion(points, &chain) else {
+        let Some((name, pattern, number)) = common(points, &chain) else {
             continue;
         };
         for (point, root) in chain {
             let own = &mut points[point].roots[root];
             own.name.clone_from(&name);
+            own.pattern.clone_from(&pattern);
             (own.number, own.is_named) = (number, false);
         }
     }
@@ -123,15 +124,18 @@ fn nearest(
     Some(((name.clone(), votes), *unlikeness))
 }
 
-/// The motion that most roots of a chain without a name have, and the least of their numbers.
-fn motion(points: &[StabilityPoint], chain: &[Place]) -> Option<Key> {
+/// The motion with pattern and number that most roots of a chain without a name have; of several the first one.
+fn common(points: &[StabilityPoint], chain: &[Place]) -> Option<(String, Option<String>, usize)> {
     let roots = chain
         .iter()
         .map(|(point, root)| &points[*point].roots[*root]);
-    let keys: Vec<_> = roots.map(key).collect();
-    let count = |name: &String| keys.iter().filter(|own| own.0 == *name).count();
+    let keys: Vec<_> = roots
+        .map(|own| (own.name.clone(), own.pattern.clone(), own.number))
+        .collect();
+    let count =
+        |key: &(String, Option<String>, usize)| keys.iter().filter(|own| *own == key).count();
     let most = keys.iter().max_by(|a, b| {
-        let by_count = count(&a.0).cmp(&count(&b.0));
+        let by_count = count(a).cmp(&count(b));
         by_count.then_with(|| b.cmp(a))
     });
     most.cloned()

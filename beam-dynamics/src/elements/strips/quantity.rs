@@ -25,9 +25,10 @@ impl AirStrip {
         let states = self.states();
         let (values, rates) = (&at.scalars.values[..states], &at.scalars.rates[..states]);
         let air = self.acting(at);
+        let side = self.location.side;
         let Some(row) = row else {
             let report = self.strip.report(air, &numbers, values, rates);
-            return Some(weight * quantity.of_report(&report)?);
+            return Some(weight * quantity.on_side(side, quantity.of_report(&report)?));
         };
         if quantity == StripQuantity::TangentialLoad {
             return None;
@@ -39,7 +40,7 @@ impl AirStrip {
             .report_slopes(air, (&numbers, values), &by, |report| {
                 quantity.of_report(report).unwrap_or(zero)
             });
-        let slopes = slopes.map(|slope| weight * slope);
+        let slopes = slopes.map(|slope| weight * quantity.sense(side) * slope);
         let mut own = [0.0; FLOW];
         own[..OWN].copy_from_slice(&slopes[..OWN]);
         let by_motion = flow.slopes(&own);
@@ -58,6 +59,6 @@ impl AirStrip {
         self.each_scalar(at, |column, input, slope| {
             row.by_scalar(column, slope * slopes[input]);
         });
-        Some(weight * value)
+        Some(weight * quantity.on_side(side, value))
     }
 }

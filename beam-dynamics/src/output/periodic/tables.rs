@@ -76,6 +76,7 @@ mod tests {
             error: Some(2e-7),
             name: "node \"a\": rotation about y".to_owned(),
             pattern: None,
+            blades: None,
             in_blades: 0.0,
             in_coordinates: Default::default(),
             is_neutral: false,
