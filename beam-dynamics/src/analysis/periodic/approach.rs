@@ -57,6 +57,10 @@ pub(super) fn approach(
         state.copy_from(&last);
         return Err(first);
     };
+    // Of the motion of the first guess, which repeats: symmetries are exact in it.
+    if let Some(reason) = shooting.idle(&orbit.map) {
+        return Err(PeriodicFailure::Idle { reason });
+    }
     let short = Shooting {
         settings: &short,
         ..*shooting

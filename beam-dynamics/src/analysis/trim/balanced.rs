@@ -15,6 +15,9 @@ use crate::model::{Conditions, State};
 use crate::result::Stall;
 use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
 
+/// Part of its sensitivity to relative changes of the equations up to which a change is round-off \[-\].
+const ROUND_OFF: f64 = 1e-11;
+
 /// Reason why an equilibrium is not trimmed.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum NotBalanced {
@@ -178,7 +181,7 @@ fn from_guesses(
 fn undetermined(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<String> {
     let response = response(model, settings, balance)?;
     let (controls, targets) = (&settings.controls, &settings.targets);
-    effects::idle_in_any_units((response, effects::EXACT), controls, targets)
+    effects::idle((&response, effects::EXACT), controls, targets)
 }
 
 /// The trim of a model in a frame at rest, from the undeformed model with first guesses of the controls and
@@ -207,7 +210,7 @@ fn at_once(
 }
 
 /// The change of the targets (rows, of size one) by each control of size one about the equilibrium of
-/// the first guesses.
+/// the first guesses, without round-off: changes that are zero but for it are zero.
 fn response(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<DMatrix<f64>> {
     let factors = balance.factorize()?;
     let first = model.system.numbering().first_scalar();
@@ -218,9 +221,13 @@ fn response(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Op
         let mut change = vec![0.0; model.system.numbering().unknowns()];
         change[first + scalar(model, &control.label)?] = 1.0;
         factors.solve(&mut change)?;
+        let sensitivity = balance.sensitivity(&factors, &change)?;
         for (row, target) in settings.targets.iter().take(count).enumerate() {
             let index = first + scalar(model, &target.label)?;
-            response[(row, column)] = change[index] / target.scale;
+            let own = change[index] / target.scale;
+            if change[index].abs() > ROUND_OFF * sensitivity[index] {
+                response[(row, column)] = own;
+            }
         }
     }
     Some(response)
