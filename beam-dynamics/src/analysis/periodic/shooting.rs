@@ -120,7 +120,7 @@ impl Shooting<'_> {
         self.border.begin(state);
         let rows = self.border.sizes(self.sizes);
         let (mut iterations, mut blocked) = (0, 0);
-        let mut tried: Option<Tried> = None;
+        let (mut tried, begun): (Option<Tried>, _) = (None, passes.list().len());
         loop {
             let (end, map) = match flow.linearized(state) {
                 Ok(found) => found,
@@ -144,7 +144,7 @@ impl Shooting<'_> {
                 return self.determined(Orbit { state, end, map }, &rows);
             }
             let map = last.insert(map);
-            if iterations >= self.settings.iterations || !part.is_finite() {
+            if self.is_over(iterations, &passes.list()[begun..]) || !part.is_finite() {
                 return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
             let found = self.correction(map, &residual, &rows);
@@ -168,6 +168,16 @@ impl Shooting<'_> {
             tried = Some(Tried::new(base, d, worst));
             iterations += 1;
         }
+    }
+
+    /// Whether the iteration of `passes` ends without a motion: its number is the largest one, or the change has not
+    /// become smaller in the last half of it.
+    fn is_over(&self, iterations: usize, passes: &[PeriodicPass]) -> bool {
+        let most = self.settings.iterations;
+        let mut recent = passes.iter().rev().map(|pass| pass.residual);
+        let last = recent.by_ref().take(most.div_ceil(2));
+        let last = last.fold(f64::INFINITY, f64::min);
+        iterations >= most || recent.fold(f64::INFINITY, f64::min) <= last
     }
 
     /// Halves the last correction, from which the period has no solution.

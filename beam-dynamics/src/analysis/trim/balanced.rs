@@ -9,8 +9,8 @@ use crate::analysis::effects;
 use crate::analysis::stall::StallSum;
 use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::analysis::transient::begin_at_rest;
-use crate::case::{Model, TrimSettings};
-use crate::input::Input;
+use crate::case::{Model, TrimSettings, TrimTarget};
+use crate::input::{Input, short_number};
 use crate::model::{Conditions, State};
 use crate::result::Stall;
 use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
@@ -25,8 +25,13 @@ pub(super) enum NotBalanced {
     #[error("the first guesses: {0}")]
     Guess(Box<NoEquilibrium>),
     /// The equilibrium does not reach the targets.
-    #[error("the targets are not reached: {0}")]
-    Targets(Box<NoEquilibrium>),
+    #[error("the targets are not reached: {reached}; beyond it {failure}")]
+    Targets {
+        /// The farthest target of the last equilibrium on the way, and the controls there, as text.
+        reached: String,
+        /// The failure beyond it.
+        failure: Box<NoEquilibrium>,
+    },
     /// The controls do not determine the targets.
     #[error("{0}")]
     Idle(String),
@@ -46,7 +51,7 @@ impl NotBalanced {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Guess(_) => "give first guesses at which the model has an equilibrium",
-            Self::Targets(_) => {
+            Self::Targets { .. } => {
                 "give first guesses nearer to the trim, or targets that the model can reach"
             }
             Self::Idle(_) => "replace a control, or a target",
@@ -171,9 +176,37 @@ fn from_guesses(
             });
             let still = at_rest(model, settings).unwrap_or_default();
             let idle = idle.map(|reason| NotBalanced::Idle(reason + still));
-            Err(idle.unwrap_or(NotBalanced::Targets(failure)))
+            Err(idle.unwrap_or_else(|| NotBalanced::Targets {
+                reached: farthest(model, settings, &failure.last),
+                failure,
+            }))
         }
     }
+}
+
+/// The target that is farthest from its value in an equilibrium, and the controls, as text.
+fn farthest(model: &Model, settings: &TrimSettings, state: &State) -> String {
+    let labels = settings.targets.iter().map(|target| &target.label);
+    let values = values(model, state, labels);
+    let off =
+        |(target, value): &(&TrimTarget, &f64)| ((*value - target.value) / target.scale).abs();
+    let pairs = settings.targets.iter().zip(&values);
+    let farthest = pairs.max_by(|a, b| off(a).total_cmp(&off(b)));
+    let target = farthest.map_or_else(String::new, |(target, value)| {
+        let [value, wanted] = [*value, target.value].map(|value| short_number(value, 4));
+        format!(
+            "\"{}\" is farthest, {value} in place of {wanted}",
+            target.name
+        )
+    });
+    let labels = settings.controls.iter().map(|control| &control.label);
+    let controls = settings
+        .controls
+        .iter()
+        .zip(self::values(model, state, labels));
+    let controls =
+        controls.map(|(own, value)| format!("{} = {}", own.name, short_number(value, 6)));
+    format!("{target}, with {}", controls.collect::<Vec<_>>().join(", "))
 }
 
 /// Why the controls of an equilibrium with its targets do not determine them, in whatever units both are:
