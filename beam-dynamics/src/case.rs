@@ -104,6 +104,8 @@ pub struct Model {
     pub arms: Arms,
     /// How the nodes move at the start of a run in time, one a node.
     pub initial: Vec<InitialMotion>,
+    /// Whether remarks on the operation of rotors are for helicopters or for wind turbines.
+    pub words: Words,
 }
 
 impl Model {
@@ -121,6 +123,7 @@ impl Model {
             beams: Vec::new(),
             blades: Vec::new(),
             arms: Arms::None,
+            words: Words::default(),
         }
     }
 

@@ -376,6 +376,7 @@ fn cards(
     input.node_locations = node_locations;
     input.joint_locations = joint_locations;
     input.parameters = document.parameters().clone();
+    input.model.words = rotors::words(rotors, input.words());
     input.model.gravity = gravity;
     input.model.gravity_drive = gravity_drive;
     input.output = output?;
@@ -391,12 +392,8 @@ fn check_rotation(
     analyses: &Analyses,
 ) -> Option<()> {
     let mut remarks = rotors::check(document, rotors, analyses, builder.hub()?);
-    remarks.extend(drive_times::remark(
-        document,
-        rotors,
-        builder.drives(),
-        analyses,
-    ));
+    let drives = builder.drives();
+    remarks.extend(drive_times::remark(document, rotors, drives, analyses));
     builder.add_remarks(remarks);
     analyses.check(root, gravity, &builder.hub()?.frame_rotation());
     if !rotors::check_starts(root, rotors, analyses, builder.hub()?) {

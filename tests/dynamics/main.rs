@@ -52,6 +52,7 @@ mod mbdyn_model;
 
 mod mechanisms;
 mod mirrored_rotors;
+mod operation;
 mod overdamped;
 mod patterns;
 mod pendulum;

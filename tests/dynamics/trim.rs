@@ -9,6 +9,7 @@ mod failures;
 mod flapping;
 mod free_flight;
 mod puma;
+mod round_off;
 mod shaft_torque;
 mod stall;
 mod turbine;

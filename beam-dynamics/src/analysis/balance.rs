@@ -99,6 +99,22 @@ impl<'a> Balance<'a> {
         greatest(&load) < ROUND_OFF * greatest(&terms)
     }
 
+    /// The sizes of the changes of a solution `x` of the factorized derivative A if every term in its equations
+    /// changes by its own size, with weights w without a pattern: `|A^-1 w |A| |x||`. They are in the units of the
+    /// unknowns, whatever the ones of the equations are. `None` if they are not finite.
+    pub fn sensitivity(&self, factors: &Factorization, x: &[f64]) -> Option<Vec<f64>> {
+        let tangent = self.system.by_unknowns(&self.state, &self.conditions);
+        let mut terms = vec![0.0; x.len()];
+        for (row, column, value) in tangent.triplets() {
+            terms[row] += (value * x[column]).abs();
+        }
+        for (row, term) in terms.iter_mut().enumerate() {
+            *term *= (1.0 + 0.618 * row as f64).sin();
+        }
+        factors.solve(&mut terms)?;
+        Some(terms.into_iter().map(f64::abs).collect())
+    }
+
     /// Whether a residual is round-off of the stiffness times the size of the model.
     pub fn is_round_off(&self, residual: &[f64]) -> bool {
         let tangent = self.system.by_unknowns(&self.state, &self.conditions);

@@ -15,8 +15,37 @@ pub(super) const EXACT: f64 = 1e-7;
 pub(super) const BY_PRODUCTS: f64 = 1e-5;
 /// Size of the largest response below which the one of a factorized matrix is zero \[-\].
 const LEAST: f64 = 1e-9;
+/// Mean response relative to momentary ones below which it is round-off: products are solved to 1e-8, and a
+/// motion that is not converged has blades that differ a little \[-\].
+const ROUND_OFF: f64 = 1e-6;
 /// Part of a singular vector from which a control has a part in it.
 const TAKES_PART: f64 = 0.3;
+
+/// Sizes by which the response of the mean of a target over a period is round-off, in any unit of the target.
+/// Motions are the largest changes relative to the sizes of the model by each control, so that units of controls
+/// have no effect either.
+pub(super) struct Noise<'a> {
+    /// Mean of the size of the target's quantity.
+    pub travel: f64,
+    /// Means of the sizes of its momentary changes by the controls.
+    pub changes: Vec<f64>,
+    /// Changes of the motion by the controls.
+    pub motions: &'a [f64],
+}
+
+impl Noise<'_> {
+    /// Whether responses of a target to all controls are round-off of its quantity for changes of the motion
+    /// of size one.
+    pub fn hides<'b>(&self, responses: impl Iterator<Item = &'b f64>) -> bool {
+        let pairs = || self.changes.iter().zip(self.motions);
+        let moving = pairs().filter(|(_, motion)| **motion > 0.0);
+        let by_motion = moving.map(|(change, motion)| change / motion);
+        let size = by_motion.fold(self.travel, f64::max);
+        responses
+            .zip(pairs())
+            .all(|(own, (change, motion))| own.abs() <= ROUND_OFF * change.max(motion * size))
+    }
+}
 
 /// A response with rows and columns of largest entry one, where there are others than zeros: without the
 /// units of controls and targets.
@@ -36,17 +65,15 @@ fn balanced(mut response: DMatrix<f64>) -> DMatrix<f64> {
     response
 }
 
-/// Why controls (columns of the response) do not determine targets (rows), as text, given the response
-/// and its relative errors; `None` if they do. Names are found without the units of both, unless the response is
-/// regular then.
+/// Why controls (columns of the response) do not determine targets (rows), in whatever units both are, as text,
+/// given the response and its relative errors; `None` if they do.
 pub(super) fn idle(
     (response, errors): (&DMatrix<f64>, f64),
     controls: &[TrimControl],
     targets: &[TrimTarget],
 ) -> Option<String> {
-    let in_units = reason((response, errors), controls, targets)?;
-    let balanced = balanced(response.clone());
-    Some(reason((&balanced, errors), controls, targets).unwrap_or(in_units))
+    reason((response, errors), controls, targets)?;
+    reason((&balanced(response.clone()), errors), controls, targets)
 }
 
 /// The same of a response as it is given.
@@ -100,16 +127,6 @@ fn reason(
     ))
 }
 
-/// The same, if the response without the units of controls and targets does not determine them either.
-pub(super) fn idle_in_any_units(
-    (response, errors): (DMatrix<f64>, f64),
-    controls: &[TrimControl],
-    targets: &[TrimTarget],
-) -> Option<String> {
-    reason((&response, errors), controls, targets)?;
-    reason((&balanced(response), errors), controls, targets)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -145,6 +162,28 @@ mod tests {
         let same = balanced(DMatrix::from_row_slice(2, 2, &[1e4, 2e4, 1e-3, 2e-3]));
         assert!(text(same.transpose().as_slice()).is_some());
         assert_eq!(balanced(DMatrix::zeros(2, 2)), DMatrix::zeros(2, 2));
+    }
+
+    // Two controls in radians, of which the first one turns blades by 2 rad: round-off of 1e-8 of a thrust in any
+    // unit is hidden, also of a thrust that is zero itself and changes by the other control, and a response of 1e-3
+    // is not, nor the one of a control that acts without a motion.
+    #[test]
+    fn round_off_is_relative_to_the_quantity() {
+        for unit in [1e-9, 1.0, 1e9] {
+            let hides = |responses: [f64; 2], travel: f64, changes: [f64; 2], motions: [f64; 2]| {
+                let noise = Noise {
+                    travel: travel * unit,
+                    changes: changes.map(|change| change * unit).to_vec(),
+                    motions: &motions,
+                };
+                noise.hides(responses.map(|own| own * unit).iter())
+            };
+            assert!(hides([1e-8, -1e-8], 1.0, [1e-8, 1e-8], [2.0, 1.0]));
+            assert!(hides([1e-8, -1e-8], 0.0, [1e-8, 3.0], [2.0, 1.0]));
+            assert!(!hides([1e-3, 1e-8], 1.0, [1e-3, 1e-8], [2.0, 1.0]));
+            assert!(!hides([0.0, 1e-8], 1.0, [0.0, 1e-8], [2.0, 0.0]));
+            assert!(hides([0.0, 0.0], 1.0, [0.0, 0.0], [0.0, 0.0]));
+        }
     }
 
     // Columns of zeros and columns in proportion; a regular response of small numbers is none of these.

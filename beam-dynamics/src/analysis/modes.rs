@@ -200,7 +200,7 @@ fn run(
         let found: Vec<_> = now.found.iter().map(|m| (&m.point, &m.motion)).collect();
         branches.add(&found, links.as_deref(), with_shapes);
         let air = air_at(&case.model.system, &steady.state, &steady.conditions);
-        operation.add(&rpm(*speed), &air, case.settings.style.words);
+        operation.add(&rpm(*speed), &air, case.model.words);
         table.speeds.push(*speed);
         table.equilibria.push(report(steady));
         table.decaying.push(decaying(case, &mut now));

@@ -112,6 +112,13 @@ impl Operation {
         }
     }
 
+    /// The remarks on doubts that all points have, as of a run in time, which passes through others.
+    pub fn lasting(mut self) -> Vec<String> {
+        let points = self.points;
+        self.found.retain(|own| own.points == points);
+        self.remarks()
+    }
+
     /// The remarks on all points; numbers are of the first one of each.
     pub fn remarks(&self) -> Vec<String> {
         let remark = |own: &Found| {
@@ -379,7 +386,10 @@ mod tests {
         for at in ["wind = 4", "wind = 8"] {
             operation.note(("turbine", Doubt::Fast), at, "too fast".to_owned());
         }
+        assert_eq!(operation.clone().lasting(), Vec::<String>::new());
         let expected = "rotor \"turbine\" at 2 of 3 points, first at wind = 4: too fast";
         assert_eq!(operation.remarks(), [expected]);
+        operation.points = 2;
+        assert_eq!(operation.lasting().len(), 1);
     }
 }

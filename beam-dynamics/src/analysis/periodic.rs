@@ -13,7 +13,7 @@ use crate::analysis::frozen::frozen;
 use crate::analysis::operation::Operation;
 use crate::analysis::stall::{StallSum, air_at};
 use crate::analysis::transient::{Multibody, Started, independent, start};
-use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings, Words};
+use crate::case::{FloquetSettings, Model, PeriodicMethod, PeriodicSettings};
 use crate::elements::Queries;
 use crate::integrator::Dae;
 use crate::model::{Conditions, State};
@@ -186,7 +186,7 @@ fn operation(
         None => Operation::default(),
     };
     let air = air_at(&model.system, state, conditions);
-    operation.add("", &air, Words::default());
+    operation.add("", &air, model.words);
     operation.remarks()
 }
 

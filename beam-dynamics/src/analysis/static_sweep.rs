@@ -36,7 +36,7 @@ pub fn static_sweep(
                 let step = point.path.as_ref().and_then(|path| path.last());
                 if let Some(step) = step.filter(|_| point.failure.is_none()) {
                     let place = format!("{} = {}", sweep.parameter, short_number(at, 6));
-                    operation.add(&place, &step.air, input.words());
+                    operation.add(&place, &step.air, input.model.words);
                 }
                 point
             }

@@ -43,7 +43,7 @@
 //! assert!((tip.z / (0.3 * 8.0 / (3.0 * 240.0)) - 1.0).abs() < 1e-4);
 //! ```
 
-use crate::case::{Model, StaticSettings, Words};
+use crate::case::{Model, StaticSettings};
 use crate::model::{Conditions, State};
 use crate::result::{StaticResult, StaticStep};
 use crate::solver::LinearSolver;
@@ -113,7 +113,7 @@ pub fn statics(model: &Model, settings: &StaticSettings) -> StaticOutcome {
     let mut outcome = statics_from(model, settings, None);
     if let Some(step) = outcome.result.last().filter(|_| outcome.failure.is_none()) {
         let mut operation = Operation::default();
-        operation.add("", &step.air, Words::default());
+        operation.add("", &step.air, model.words);
         outcome.result.remarks.extend(operation.remarks());
     }
     outcome

@@ -60,6 +60,8 @@ pub struct NoEquilibrium {
     pub residual: f64,
     /// The last iteration's history.
     pub report: NewtonReport,
+    /// The last equilibrium on the way.
+    pub last: State,
 }
 
 fn part_of_loads(part: f64) -> String {
@@ -299,7 +301,7 @@ fn advance(
             if step < SMALLEST_STEP || from == to {
                 let settled =
                     (reached == 0.0 && from != to).then(|| settled_slowly(start, from, to));
-                let failure = || Box::new(no_equilibrium(&balance, next, report));
+                let failure = || Box::new(no_equilibrium(&balance, (next, state), report));
                 return settled.flatten().ok_or_else(failure);
             }
         } else if next < 1.0 {
@@ -379,7 +381,11 @@ fn is_singular(start: &Balance<'_>, from: &Conditions, to: &Conditions, largest:
         || report.history.iter().any(|one| astray(one.correction))
 }
 
-fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoEquilibrium {
+fn no_equilibrium(
+    balance: &Balance<'_>,
+    (part, last): (f64, State),
+    report: NewtonReport,
+) -> NoEquilibrium {
     let singular = report.status == NewtonStatus::Singular
         || report
             .history
@@ -404,5 +410,6 @@ fn no_equilibrium(balance: &Balance<'_>, part: f64, report: NewtonReport) -> NoE
         equation: worst_equation(balance.system, &report.worst),
         residual: report.worst.relative,
         report,
+        last,
     }
 }

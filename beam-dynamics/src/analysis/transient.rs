@@ -7,11 +7,13 @@
 
 use shared_geom::units::rounded;
 
+use super::operation::Operation;
+use super::stall::air_at;
 use crate::assembly::Slack;
 use crate::assembly::massless;
 use crate::assembly::redundancy::Redundant;
 use crate::case::{Model, TransientSettings};
-use crate::integrator::{Corner, Integrator, Progress, Scheme, Stepping};
+use crate::integrator::{Corner, Integrator, Progress, Stepping};
 use crate::model::{Conditions, NODE_UNKNOWNS, State};
 use crate::result::{AcceptedStep, Effort, Recorder, Snapshot};
 
@@ -54,21 +56,7 @@ pub(in crate::analysis) use redundant::independent;
 pub(in crate::analysis) use scalars::begin_at_rest;
 use singular::Passed;
 pub(in crate::analysis) use start::{Started, start};
-use turning::Turns;
-
-/// Rotation of a node in a step, relative to the axes in which it is integrated, above which a remark
-/// is given \[rad\]: the relative error of the rotation formula is then half a percent.
-const FAR_TURN: f64 = 0.3;
-
-/// Rotation of a node in a step above which a remark is given \[rad\]: with two steps of a radius
-/// near one, also a rotation whose square exceeds the decay of alternating errors from step to
-/// step.
-fn farthest_turn(scheme: &Scheme) -> f64 {
-    match *scheme {
-        Scheme::TwoStep { radius } if radius < 1.0 => FAR_TURN.min((1.0 - radius).sqrt()),
-        _ => FAR_TURN,
-    }
-}
+use turning::{Turns, farthest_turn};
 
 /// Outcome of a run in time; its steps are passed to the recorder.
 #[derive(Debug)]
@@ -163,7 +151,11 @@ pub fn transient(
     };
     run.began = began - resumed.map_or(0.0, |snapshot| snapshot.total_time);
     run.redundant = redundant;
+    let mut operation = Operation::default();
+    run.note_operation(&mut operation);
     outcome.failure = run.go(resumed.is_none(), recorder, clock).err();
+    run.note_operation(&mut operation);
+    outcome.remarks.extend(operation.lasting());
     let is_reported = matches!(outcome.failure, Some(TransientFailure::Step(_)));
     outcome.remarks.extend(run.remarks(is_reported));
     outcome.energy = run.energy.balance();
@@ -311,6 +303,13 @@ impl Run<'_> {
         }
         self.end_energy();
         Ok(())
+    }
+
+    /// Adds the latest state to the operating points.
+    fn note_operation(&self, operation: &mut Operation) {
+        let air = air_at(&self.model.system, self.dae.state(), &self.conditions());
+        let at = format!("t = {} s", rounded(self.integrator.time()));
+        operation.add(&at, &air, self.model.words);
     }
 
     /// Checks the energy of the latest state.

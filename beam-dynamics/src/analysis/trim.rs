@@ -145,7 +145,7 @@ pub fn trim_watched(
         let is_met = point.failure.is_none();
         result.remarks.extend(stalled(sweep.zip(at), last.as_ref()));
         if let Some(end) = last.as_ref().filter(|_| is_met) {
-            operation.add(&place(sweep.zip(at)), &end.air(), end.input.words());
+            operation.add(&place(sweep.zip(at)), &end.air(), end.input.model.words);
         }
         result.points.push(point);
         end = last.or(end);

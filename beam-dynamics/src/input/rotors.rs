@@ -16,7 +16,7 @@ use super::hub::{HUB, Hub};
 use super::periodic;
 use super::rotor_speed::{RPM, SAME_SPEED};
 use super::schema::DYNAMICS_FILE;
-use crate::case::{PeriodicSettings, StabilityMethod, Start, TransientSettings};
+use crate::case::{PeriodicSettings, StabilityMethod, Start, TransientSettings, Words};
 
 mod arms;
 mod base;
@@ -84,6 +84,8 @@ pub(super) struct PlacedRotor {
     unsteady: Option<&'static str>,
     /// The node that carries its shaft, as of a tower, if there is one.
     carrier: Option<String>,
+    /// Whether a nacelle carries its shaft.
+    has_nacelle: bool,
     /// Number of its blades.
     blades: usize,
     /// Whether its blades have strips in the air.
@@ -110,6 +112,15 @@ impl PlacedRotor {
 /// The rotors of an input, or the names of those that could not be expanded.
 pub(super) type Rotors = Result<Vec<PlacedRotor>, Vec<String>>;
 
+/// Words for remarks on the operation of rotors: the given ones, or the ones of turbines if there is a nacelle.
+pub(super) fn words(rotors: &Rotors, given: Words) -> Words {
+    let mut all = rotors.iter().flatten();
+    match all.any(|rotor| rotor.has_nacelle) {
+        true => Words::Wind,
+        false => given,
+    }
+}
+
 /// Appends the cards of all rotors. If one is wrong, which has been noted, the names of the rotors whose
 /// cards are missing: the cards of a rotor with wrong controls are appended too. Drives that are `inputs` of a linear model are
 /// scalars, which only expressions read.
@@ -119,6 +130,7 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     };
     document.append(rotors.iter().flat_map(|(_, cards)| cards));
     let place = |rotor: Rotor| PlacedRotor {
+        has_nacelle: rotor.has_nacelle(),
         carrier: rotor.base.carrier.clone(),
         blades: rotor.base.count,
         has_air: rotor.has_air(),

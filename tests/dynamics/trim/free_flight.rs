@@ -1,6 +1,6 @@
 //! Free flight: an aircraft is held by a joint whose angles are controls, and its six reactions vanish.
 
-use super::{attempt, numbers, reference, trimmed};
+use super::{attempt, numbers, reason, reference, trimmed};
 use crate::periodic::Random;
 use crate::record;
 
@@ -325,4 +325,24 @@ fn six_forces_of_a_helicopter() {
         let tail = point.controls[5];
         assert!((tail - row[7]).abs() < 1.0, "{row:?}: {tail}");
     }
+}
+
+// Ten times the mass of the fuselage, a weight of 91 kN: the largest lift coefficient of the law is 1.29, so that
+// the panels of 8 m^2 and the tail of 3 m^2 carry 53 kN at most, at a pressure of 0.6 V^2. The vertical force is
+// named as farthest.
+#[test]
+fn a_flight_that_is_too_heavy_names_the_vertical_force() {
+    let guesses = [0.0, 0.0, 0.0, 0.15, 0.05, 0.0];
+    let aircraft = Aircraft {
+        speed: 60.0,
+        guesses,
+    };
+    let text = aircraft.text().replace("mass = 900.0", "mass = 9000.0");
+    let [text, remedy] = reason(&text);
+    let begin = "the targets are not reached: \"force along z\" is farthest, ";
+    assert!(text.starts_with(begin), "{text}");
+    assert!(
+        remedy.contains("targets that the model can reach"),
+        "{remedy}"
+    );
 }

@@ -44,10 +44,11 @@ pub(super) fn approach(
     };
     let last = state.clone();
     state.copy_from(&begun);
-    let short = PeriodicSettings {
-        iterations: shooting.settings.iterations.min(ITERATIONS),
+    let within = |most: usize| PeriodicSettings {
+        iterations: shooting.settings.iterations.min(most),
         ..shooting.settings.clone()
     };
+    let (short, longer) = (within(ITERATIONS), within(2 * ITERATIONS));
     let held = shooting.border.held();
     let with_guess = Shooting {
         border: &held,
@@ -57,23 +58,49 @@ pub(super) fn approach(
         state.copy_from(&last);
         return Err(first);
     };
+    // Of the motion of the first guess, which repeats: symmetries are exact in it.
+    if let Some(reason) = shooting.idle(&orbit.map) {
+        return Err(PeriodicFailure::Idle { reason });
+    }
     let short = Shooting {
         settings: &short,
         ..*shooting
     };
-    let from = shooting.border.reached(&orbit.end);
-    let mut met = orbit;
+    let (met, is_all) = grown(&short, flow, (state, orbit), passes);
+    if is_all {
+        return Ok(met);
+    }
+    let longer = Shooting {
+        settings: &longer,
+        ..*shooting
+    };
+    let (beyond, met) = match without_one(&longer, flow, (state, &met), passes) {
+        Some((index, orbit)) => (Some(shooting.border.target_name(index)), orbit),
+        None => (None, met),
+    };
+    state.copy_from(&met.state);
+    Err(limited(shooting, (first, beyond), &met, passes))
+}
+
+/// The last motion that was found while the targets grow from one to their values, and whether they have these.
+fn grown(
+    shooting: &Shooting<'_>,
+    flow: &mut Flow<'_>,
+    (state, mut met): (&mut State, Orbit),
+    passes: &mut Passes<'_>,
+) -> (Orbit, bool) {
+    let from = shooting.border.reached(&met.end);
     let (mut part, mut step) = (0.0, FIRST);
     while step >= LEAST {
         let next = f64::min(part + step, 1.0);
         let border = shooting.border.partly(&from, |_| next);
         let partly = Shooting {
             border: &border,
-            ..short
+            ..*shooting
         };
         state.copy_from(&met.state);
         match partly.solve(flow, state, passes) {
-            Ok(orbit) if next == 1.0 => return Ok(orbit),
+            Ok(orbit) if next == 1.0 => return (orbit, true),
             Ok(orbit) => {
                 (met, part) = (orbit, next);
                 step = f64::min(2.0 * step, FIRST);
@@ -81,12 +108,7 @@ pub(super) fn approach(
             Err(_) => step *= 0.5,
         }
     }
-    let (beyond, met) = match without_one(&short, flow, (state, &met), passes) {
-        Some((index, orbit)) => (Some(shooting.border.target_name(index)), orbit),
-        None => (None, met),
-    };
-    state.copy_from(&met.state);
-    Err(limited(shooting, (first, beyond), &met, passes))
+    (met, false)
 }
 
 /// The index of a target without which the other ones are met, the farthest first, with the motion in which they

@@ -240,14 +240,9 @@ impl Border {
     }
 
     /// Why the controls do not determine the targets, from the response of the means (rows, of size
-    /// one) to the controls (columns) with its relative errors; `None` if they do.
+    /// one) to the controls (columns) with its relative errors, in whatever units both are; `None` if they do.
     pub fn idle(&self, response: &DMatrix<f64>, errors: f64) -> Option<String> {
         effects::idle((response, errors), &self.of_controls, &self.of_targets)
-    }
-
-    /// The same, in whatever units controls and targets are.
-    pub fn idle_in_any_units(&self, response: DMatrix<f64>, errors: f64) -> Option<String> {
-        effects::idle_in_any_units((response, errors), &self.of_controls, &self.of_targets)
     }
 
     /// Number of controls.

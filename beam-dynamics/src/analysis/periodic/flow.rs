@@ -177,6 +177,7 @@ impl<'a> Flow<'a> {
     pub fn linearized(&mut self, start: &State) -> Result<(State, Option<PeriodMap>), StepFailure> {
         self.begin(start);
         let mut maps = Some(Vec::with_capacity(self.steps));
+        let (mut before, mut travel) = (start.scalars.clone(), vec![0.0; start.scalars.len()]);
         for number in 1..=self.steps {
             let (length, _) = self.converge(number)?;
             let map = maps.as_ref().and_then(|_| self.step_map(length));
@@ -185,10 +186,15 @@ impl<'a> Flow<'a> {
                 maps
             });
             self.dae.accept(self.step.stages() - 1);
+            let scalars = &self.dae.state().scalars;
+            for (sum, (before, now)) in travel.iter_mut().zip(before.iter().zip(scalars)) {
+                *sum += (now - before).abs();
+            }
+            before.clone_from(scalars);
         }
         self.periods += 1;
         let algebraic = self.dae.algebraic().to_vec();
-        let map = maps.map(|maps| PeriodMap::new(maps, algebraic));
+        let map = maps.map(|maps| PeriodMap::new(maps, algebraic, &travel));
         Ok((self.dae.state().clone(), map))
     }
 

@@ -96,12 +96,27 @@ impl StepMap {
 pub(super) struct PeriodMap {
     steps: Vec<StepMap>,
     algebraic: Vec<bool>,
+    /// See [`PeriodMap::travel`].
+    travel: Vec<f64>,
 }
 
 impl PeriodMap {
-    /// The product of all `steps`.
-    pub fn new(steps: Vec<StepMap>, algebraic: Vec<bool>) -> Self {
-        Self { steps, algebraic }
+    /// The product of all `steps`; `travel` has the sums over the steps of the sizes of the changes of the
+    /// scalars.
+    pub fn new(steps: Vec<StepMap>, algebraic: Vec<bool>, travel: &[f64]) -> Self {
+        let mut all = vec![0.0; algebraic.len() - travel.len()];
+        all.extend_from_slice(travel);
+        Self {
+            steps,
+            algebraic,
+            travel: all,
+        }
+    }
+
+    /// The sum over the steps of the sizes of the changes of each unknown in the motion; zero for others than
+    /// scalars.
+    pub fn travel(&self) -> &[f64] {
+        &self.travel
     }
 
     /// Number of entries of a variation, with algebraic unknowns, whose entries are zero.
@@ -143,6 +158,21 @@ impl PeriodMap {
         self.follow(&mut columns, &mut |_, _| ())?;
         d.copy_from_slice(columns.col_as_slice(0));
         Some(())
+    }
+
+    /// The same; returns the sum over the steps of the sizes of the changes of each entry.
+    pub fn apply_with_travel(&self, d: &mut [f64]) -> Option<Vec<f64>> {
+        let (mut before, mut travel) = (d.to_vec(), vec![0.0; d.len()]);
+        let mut columns = Mat::from_fn(d.len(), 1, |i, _| d[i]);
+        self.follow(&mut columns, &mut |_, columns| {
+            let now = columns.col_as_slice(0);
+            for (sum, (before, now)) in travel.iter_mut().zip(before.iter_mut().zip(now)) {
+                *sum += (now - *before).abs();
+                *before = *now;
+            }
+        })?;
+        d.copy_from_slice(&before);
+        Some(travel)
     }
 
     /// Replaces the variations in the columns by those a period later; they are shown to `visit`

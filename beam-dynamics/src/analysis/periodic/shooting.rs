@@ -8,7 +8,7 @@
 //! unknowns of the redundant coordinates take part without projection, and the number of products is
 //! the number of independent states at most. The first state need not fulfill the constraints.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::border::Border;
 use super::failure::PeriodicFailure;
@@ -16,7 +16,7 @@ use super::flow::Flow;
 use super::map::PeriodMap;
 use super::passes::Passes;
 use super::sizes::{seen, worst};
-use crate::analysis::effects;
+use crate::analysis::effects::{self, Noise};
 use crate::case::{Model, PeriodicSettings};
 use crate::integrator::StepFailure;
 use crate::model::{NODE_UNKNOWNS, State};
@@ -120,7 +120,7 @@ impl Shooting<'_> {
         self.border.begin(state);
         let rows = self.border.sizes(self.sizes);
         let (mut iterations, mut blocked) = (0, 0);
-        let mut tried: Option<Tried> = None;
+        let (mut tried, begun): (Option<Tried>, _) = (None, passes.list().len());
         loop {
             let (end, map) = match flow.linearized(state) {
                 Ok(found) => found,
@@ -144,7 +144,7 @@ impl Shooting<'_> {
                 return self.determined(Orbit { state, end, map }, &rows);
             }
             let map = last.insert(map);
-            if iterations >= self.settings.iterations || !part.is_finite() {
+            if self.is_over(iterations, &passes.list()[begun..]) || !part.is_finite() {
                 return Err(PeriodicFailure::NotConverged { iterations, worst });
             }
             let found = self.correction(map, &residual, &rows);
@@ -168,6 +168,16 @@ impl Shooting<'_> {
             tried = Some(Tried::new(base, d, worst));
             iterations += 1;
         }
+    }
+
+    /// Whether the iteration of `passes` ends without a motion: its number is the largest one, or the change has not
+    /// become smaller in the last half of it.
+    fn is_over(&self, iterations: usize, passes: &[PeriodicPass]) -> bool {
+        let most = self.settings.iterations;
+        let mut recent = passes.iter().rev().map(|pass| pass.residual);
+        let last = recent.by_ref().take(most.div_ceil(2));
+        let last = last.fold(f64::INFINITY, f64::min);
+        iterations >= most || recent.fold(f64::INFINITY, f64::min) <= last
     }
 
     /// Halves the last correction, from which the period has no solution.
@@ -277,15 +287,10 @@ impl Shooting<'_> {
         }
     }
 
-    /// Checks that the controls determine the targets, in whatever units both are, if a correction `d` of
-    /// them is large.
+    /// Checks that the controls determine the targets, if a correction `d` of them is large.
     fn check_controls(&self, map: &PeriodMap, d: &[f64]) -> Result<(), PeriodicFailure> {
         let is_large = self.border.is_suspicious(d);
-        let Some(response) = is_large.then(|| self.responses(map)).flatten() else {
-            return Ok(());
-        };
-        let errors = effects::BY_PRODUCTS;
-        match self.border.idle_in_any_units(response.means, errors) {
+        match is_large.then(|| self.idle(map)).flatten() {
             Some(reason) => Err(PeriodicFailure::Idle { reason }),
             None => Ok(()),
         }
@@ -319,49 +324,71 @@ impl Shooting<'_> {
     }
 
     /// Why the controls do not determine the targets near a motion; `None` if they do.
-    fn idle(&self, map: &PeriodMap) -> Option<String> {
+    pub fn idle(&self, map: &PeriodMap) -> Option<String> {
         let response = self.responses(map)?.means;
         self.border.idle(&response, effects::BY_PRODUCTS)
     }
 
-    /// The changes of the means and of the first state in the periodic motion by the controls.
+    /// The changes of the means and of the first state in the periodic motion by the controls; means whose
+    /// changes are round-off do not change.
     pub fn responses(&self, map: &PeriodMap) -> Option<Responses> {
         let count = self.border.count();
-        let held = self.border.unknowns();
-        let mut response = DMatrix::zeros(count, count);
+        let mut means = DMatrix::zeros(count, count);
+        // Of each column: means of the sizes of the momentary changes of the targets, and the largest change
+        // of the motion.
+        let (mut sizes, mut motions) = (DMatrix::zeros(count, count), vec![0.0; count]);
         let mut turns = vec![0.0; count];
         for column in 0..count {
-            let control = self.border.control(column);
-            let mut first = vec![0.0; self.sizes.len()];
-            first[control] = self.sizes[control];
-            let mut right = first.clone();
-            map.apply(&mut right)?;
-            held.iter().for_each(|i| right[*i] = 0.0);
-            let mut product = |x: &mut [f64]| {
-                let mut d: Vec<_> = x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
-                map.apply(&mut d)?;
-                held.iter().for_each(|i| d[*i] = 0.0);
-                let scaled = d.iter().zip(self.sizes).map(|(d, s)| d / s);
-                x.iter_mut().zip(scaled).for_each(|(x, d)| *x -= d);
-                Some(())
+            let mut later = self.change_by(self.border.control(column), map)?;
+            turns[column] = self.largest_turn(&later);
+            motions[column] = self.largest_motion(&later);
+            let sum = map.apply_with_travel(&mut later)?;
+            means.set_column(column, &DVector::from_vec(self.border.means(&later)));
+            sizes.set_column(column, &DVector::from_vec(self.border.means(&sum)));
+        }
+        let travel = self.border.means(map.travel());
+        for row in 0..count {
+            let noise = Noise {
+                travel: travel[row],
+                changes: sizes.row(row).iter().copied().collect(),
+                motions: &motions,
             };
-            let scaled: Vec<_> = right.iter().zip(self.sizes).map(|(d, s)| d / s).collect();
-            let found = gmres(&mut product, &scaled, (TOLERANCE, MOST))?;
-            let moved = found.x.iter().zip(self.sizes).map(|(x, s)| x * s);
-            first
-                .iter_mut()
-                .zip(moved)
-                .for_each(|(d, moved)| *d += moved);
-            turns[column] = self.largest_turn(&first);
-            map.apply(&mut first)?;
-            for (row, mean) in self.border.means(&first).into_iter().enumerate() {
-                response[(row, column)] = mean;
+            if noise.hides(means.row(row).iter()) {
+                means.row_mut(row).fill(0.0);
             }
         }
-        Some(Responses {
-            means: response,
-            turns,
-        })
+        Some(Responses { means, turns })
+    }
+
+    /// The change of the first state of the periodic motion by a control of unit size.
+    fn change_by(&self, control: usize, map: &PeriodMap) -> Option<Vec<f64>> {
+        let held = self.border.unknowns();
+        let mut first = vec![0.0; self.sizes.len()];
+        first[control] = self.sizes[control];
+        let mut right = first.clone();
+        map.apply(&mut right)?;
+        held.iter().for_each(|i| right[*i] = 0.0);
+        let mut product = |x: &mut [f64]| {
+            let mut d: Vec<_> = x.iter().zip(self.sizes).map(|(x, s)| x * s).collect();
+            map.apply(&mut d)?;
+            held.iter().for_each(|i| d[*i] = 0.0);
+            let scaled = d.iter().zip(self.sizes).map(|(d, s)| d / s);
+            x.iter_mut().zip(scaled).for_each(|(x, d)| *x -= d);
+            Some(())
+        };
+        let scaled: Vec<_> = right.iter().zip(self.sizes).map(|(d, s)| d / s).collect();
+        let found = gmres(&mut product, &scaled, (TOLERANCE, MOST))?;
+        let moved = found.x.iter().zip(self.sizes).map(|(x, s)| x * s);
+        let both = first.iter().zip(moved);
+        Some(both.map(|(first, moved)| first + moved).collect())
+    }
+
+    /// The largest entry of a variation relative to its size, without controls and integrals.
+    fn largest_motion(&self, d: &[f64]) -> f64 {
+        let held = self.border.unknowns();
+        let parts = d.iter().zip(self.sizes).enumerate();
+        let own = parts.filter(|(i, _)| !held.contains(i));
+        own.fold(0.0, |most, (_, (d, size))| most.max((d / size).abs()))
     }
 }
 

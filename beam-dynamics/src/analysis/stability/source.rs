@@ -125,7 +125,7 @@ impl<'a> Source<'a> {
                 self.settings.sweep.parameter,
                 short_number(at, 6)
             );
-            self.operation.add(&place, &air, input.words());
+            self.operation.add(&place, &air, input.model.words);
         }
     }
 

@@ -6,10 +6,24 @@ use std::fmt;
 use nalgebra::Vector3;
 
 use crate::assembly::System;
+use crate::integrator::Scheme;
 use crate::model::State;
 
 /// Rotation below which nothing is reported \[rad\]: round-off of positions that are held.
 const VISIBLE: f64 = 1e-9;
+/// Rotation of a node in a step, relative to the axes in which it is integrated, above which a remark
+/// is given \[rad\]: the relative error of the rotation formula is then half a percent.
+const FAR_TURN: f64 = 0.3;
+
+/// Rotation of a node in a step above which a remark is given \[rad\]: with two steps of a radius
+/// near one, also a rotation whose square exceeds the decay of alternating errors from step to
+/// step.
+pub(super) fn farthest_turn(scheme: &Scheme) -> f64 {
+    match *scheme {
+        Scheme::TwoStep { radius } if radius < 1.0 => FAR_TURN.min((1.0 - radius).sqrt()),
+        _ => FAR_TURN,
+    }
+}
 
 /// The largest rotation of a node.
 #[derive(Debug, Clone, PartialEq)]

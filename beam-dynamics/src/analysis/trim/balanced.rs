@@ -9,11 +9,14 @@ use crate::analysis::effects;
 use crate::analysis::stall::StallSum;
 use crate::analysis::steady::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::analysis::transient::begin_at_rest;
-use crate::case::{Model, TrimSettings};
-use crate::input::Input;
+use crate::case::{Model, TrimSettings, TrimTarget};
+use crate::input::{Input, short_number};
 use crate::model::{Conditions, State};
 use crate::result::Stall;
 use crate::solver::{LinearSolver, Newton, NewtonStatus, solve};
+
+/// Part of its sensitivity to relative changes of the equations up to which a change is round-off \[-\].
+const ROUND_OFF: f64 = 1e-11;
 
 /// Reason why an equilibrium is not trimmed.
 #[derive(Debug, thiserror::Error)]
@@ -22,8 +25,13 @@ pub(super) enum NotBalanced {
     #[error("the first guesses: {0}")]
     Guess(Box<NoEquilibrium>),
     /// The equilibrium does not reach the targets.
-    #[error("the targets are not reached: {0}")]
-    Targets(Box<NoEquilibrium>),
+    #[error("the targets are not reached: {reached}; beyond it {failure}")]
+    Targets {
+        /// The farthest target of the last equilibrium on the way, and the controls there, as text.
+        reached: String,
+        /// The failure beyond it.
+        failure: Box<NoEquilibrium>,
+    },
     /// The controls do not determine the targets.
     #[error("{0}")]
     Idle(String),
@@ -43,7 +51,7 @@ impl NotBalanced {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Guess(_) => "give first guesses at which the model has an equilibrium",
-            Self::Targets(_) => {
+            Self::Targets { .. } => {
                 "give first guesses nearer to the trim, or targets that the model can reach"
             }
             Self::Idle(_) => "replace a control, or a target",
@@ -168,9 +176,37 @@ fn from_guesses(
             });
             let still = at_rest(model, settings).unwrap_or_default();
             let idle = idle.map(|reason| NotBalanced::Idle(reason + still));
-            Err(idle.unwrap_or(NotBalanced::Targets(failure)))
+            Err(idle.unwrap_or_else(|| NotBalanced::Targets {
+                reached: farthest(model, settings, &failure.last),
+                failure,
+            }))
         }
     }
+}
+
+/// The target that is farthest from its value in an equilibrium, and the controls, as text.
+fn farthest(model: &Model, settings: &TrimSettings, state: &State) -> String {
+    let labels = settings.targets.iter().map(|target| &target.label);
+    let values = values(model, state, labels);
+    let off =
+        |(target, value): &(&TrimTarget, &f64)| ((*value - target.value) / target.scale).abs();
+    let pairs = settings.targets.iter().zip(&values);
+    let farthest = pairs.max_by(|a, b| off(a).total_cmp(&off(b)));
+    let target = farthest.map_or_else(String::new, |(target, value)| {
+        let [value, wanted] = [*value, target.value].map(|value| short_number(value, 4));
+        format!(
+            "\"{}\" is farthest, {value} in place of {wanted}",
+            target.name
+        )
+    });
+    let labels = settings.controls.iter().map(|control| &control.label);
+    let controls = settings
+        .controls
+        .iter()
+        .zip(self::values(model, state, labels));
+    let controls =
+        controls.map(|(own, value)| format!("{} = {}", own.name, short_number(value, 6)));
+    format!("{target}, with {}", controls.collect::<Vec<_>>().join(", "))
 }
 
 /// Why the controls of an equilibrium with its targets do not determine them, in whatever units both are:
@@ -178,7 +214,7 @@ fn from_guesses(
 fn undetermined(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<String> {
     let response = response(model, settings, balance)?;
     let (controls, targets) = (&settings.controls, &settings.targets);
-    effects::idle_in_any_units((response, effects::EXACT), controls, targets)
+    effects::idle((&response, effects::EXACT), controls, targets)
 }
 
 /// The trim of a model in a frame at rest, from the undeformed model with first guesses of the controls and
@@ -207,7 +243,7 @@ fn at_once(
 }
 
 /// The change of the targets (rows, of size one) by each control of size one about the equilibrium of
-/// the first guesses.
+/// the first guesses, without round-off: changes that are zero but for it are zero.
 fn response(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Option<DMatrix<f64>> {
     let factors = balance.factorize()?;
     let first = model.system.numbering().first_scalar();
@@ -218,9 +254,13 @@ fn response(model: &Model, settings: &TrimSettings, balance: &Balance<'_>) -> Op
         let mut change = vec![0.0; model.system.numbering().unknowns()];
         change[first + scalar(model, &control.label)?] = 1.0;
         factors.solve(&mut change)?;
+        let sensitivity = balance.sensitivity(&factors, &change)?;
         for (row, target) in settings.targets.iter().take(count).enumerate() {
             let index = first + scalar(model, &target.label)?;
-            response[(row, column)] = change[index] / target.scale;
+            let own = change[index] / target.scale;
+            if change[index].abs() > ROUND_OFF * sensitivity[index] {
+                response[(row, column)] = own;
+            }
         }
     }
     Some(response)

@@ -350,6 +350,11 @@ fn has_spring(base: &Base) -> bool {
 }
 
 impl Rotor {
+    /// Whether a nacelle carries its shaft.
+    pub fn has_nacelle(&self) -> bool {
+        matches!(self.mount, Some((Mount::Turbine(_), _)))
+    }
+
     /// Whether its blades have strips in the air.
     pub fn has_air(&self) -> bool {
         self.blade.iter().any(|(key, _)| key == parts::AERODYNAMICS)
