@@ -181,16 +181,16 @@ pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientSettings>> {
         return Some(None);
     }
     let table = root.table("transient")?;
-    let settings = settings(&table);
+    let settings = settings(&table, root.has("air"));
     table.finish_beside(&OF_TRANSIENT);
     settings.map(Some)
 }
 
-fn settings(table: &Table<'_>) -> Option<TransientSettings> {
+fn settings(table: &Table<'_>, is_in_air: bool) -> Option<TransientSettings> {
     let times = times(table);
     let stepping = stepping(table, times.map(|[from, to]| to - from));
     let scheme = scheme(table);
-    let newton = newton(table);
+    let newton = newton(table, is_in_air);
     let jacobian = table.get(&JACOBIAN);
     let start = start(table);
     let shape = shape(table, start);
@@ -361,8 +361,15 @@ fn within(
     table.get_if(key, |found| found.is_none_or(is_right), key.schema.expected)
 }
 
-fn newton(table: &Table<'_>) -> Option<StepLimits> {
-    let standard = StepLimits::default();
+/// The iteration of a step. Jacobians of strips cost as much as several corrections: in the air they
+/// are kept unless the file states otherwise.
+fn newton(table: &Table<'_>, is_in_air: bool) -> Option<StepLimits> {
+    const METHODS: [Jacobians; 2] = [Jacobians::Full, Jacobians::Modified];
+    let own = METHODS[usize::from(is_in_air)];
+    let standard = StepLimits {
+        jacobians: own,
+        ..StepLimits::default()
+    };
     if !table.has(&NEWTON) {
         return Some(standard);
     }
@@ -374,7 +381,7 @@ fn newton(table: &Table<'_>) -> Option<StepLimits> {
     table.finish();
     let correction = tolerance?.unwrap_or(standard.correction);
     Some(StepLimits {
-        jacobians: [Jacobians::Full, Jacobians::Modified][method?],
+        jacobians: method?.map_or(own, |method| METHODS[method]),
         iterations: iterations?.unwrap_or(standard.iterations),
         correction,
         residual: correction / standard.correction * standard.residual,

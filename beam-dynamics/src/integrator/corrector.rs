@@ -38,8 +38,8 @@ const SLOW_IN_STEP: f64 = 0.1;
 /// slender link, a small correction is a large change of the rate.
 const OF_KEPT: f64 = 1e-2;
 
-/// Least size of corrections with a kept Jacobian [-]: if a smaller one is required, it is not
-/// kept.
+/// Least size of corrections with a kept Jacobian, and least residual that is waited for [-]: if a
+/// smaller correction is required, full Newton does not keep a Jacobian.
 const FLOOR: f64 = 1e-13;
 
 /// Number of corrections in a step after which a kept Jacobian is computed anew: they then cost
@@ -298,7 +298,8 @@ impl Corrector {
         };
         let theta = self.shrinking();
         let is_slow = slow.is_some_and(|slow| theta.is_some_and(|theta| theta > slow));
-        is_old || has_changed || is_slow || kept.uses >= USES
+        let is_stuck = !kept.is_of_this_step && self.is_at_floor();
+        is_old || has_changed || is_slow || is_stuck || kept.uses >= USES
     }
 
     /// Residuals and derivatives of all stages in one evaluation.

@@ -31,7 +31,7 @@ pub struct StepLimits {
 impl Default for StepLimits {
     fn default() -> Self {
         Self {
-            jacobians: Jacobians::Full,
+            jacobians: Jacobians::default(),
             iterations: 15,
             correction: 1e-9,
             residual: 1e-10,

@@ -76,10 +76,10 @@ keys! {
 keys! {
     /// Settings of the iteration of a step.
     ITERATION = "newton = { ... }";
-    /// A Jacobian in every step, or one that is kept over steps and turns with the model: two to three
-    /// times faster for rotors.
-    pub(super) METHOD: usize = "method", [Word(&["full", "modified"])], or "\"full\"" = 0,
-        "\"modified\"";
+    /// A Jacobian in every step, or one that is kept over steps and turns with the model: two times
+    /// faster for rotors in the air.
+    pub(super) METHOD: Option<usize> = "method", [Word(&["full", "modified"])],
+        or "`\"modified\"` with `[air]`, otherwise `\"full\"`", "\"full\"";
     /// Largest number of iterations in a step, 15 unless given.
     pub(super) ITERATIONS: Option<usize> = "iterations", [Count(MOST_ITERATIONS)], optional, "30";
     /// Remaining error after the last correction, in sizes of the model and radians, from 1e-13

@@ -88,6 +88,26 @@ fn every_key_of_the_card_is_read() {
     assert_eq!(newton.jacobians, Jacobians::Modified);
 }
 
+/// Jacobians are kept in the air, unless the file states otherwise.
+#[test]
+fn jacobians_are_kept_in_the_air() {
+    let air = "[air]\ndensity = 1.2\n";
+    for (card, newton, expected) in [
+        ("", "", Jacobians::Full),
+        (air, "", Jacobians::Modified),
+        (air, "newton = { tolerance = 1e-8 }\n", Jacobians::Modified),
+        (air, "newton = { method = \"full\" }\n", Jacobians::Full),
+    ] {
+        let run = format!("[transient]\nto = 1\nstep = 0.1\n{newton}");
+        let settings = read(&format!("{BODY}{card}{run}")).unwrap().transient;
+        assert_eq!(
+            settings.unwrap().newton.jacobians,
+            expected,
+            "{card}{newton}"
+        );
+    }
+}
+
 #[test]
 fn every_word_for_the_first_accelerations_is_known() {
     for (word, expected) in [

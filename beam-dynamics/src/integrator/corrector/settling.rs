@@ -1,6 +1,6 @@
 //! The end of the iteration of a step.
 
-use super::{Corrector, Iteration, Jacobians, OF_KEPT, StepLimits};
+use super::{Corrector, FLOOR, Iteration, OF_KEPT, StepLimits};
 
 /// Ratio of successive residuals above which the residual has reached round-off.
 const STAGNATION: f64 = 0.5;
@@ -8,9 +8,13 @@ const STAGNATION: f64 = 0.5;
 /// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
 
-/// Part of the limits below which the residual and the error after a correction, estimated by the
-/// decrease of the last two, need no further evaluation, if the Jacobian is kept over steps.
-const ESTIMATED: f64 = 0.1;
+/// Ratio to the limit below which the error that a correction with a Jacobian of an earlier step leaves
+/// needs no further one: a correction of [`OF_KEPT`] of the limit, of which the next is a tenth, leaves
+/// as much.
+const LEFT: f64 = 1e-3;
+
+/// The same of the residual.
+const RESIDUAL_LEFT: f64 = 1e-2;
 
 impl Corrector {
     /// Ratio of the last correction to the one before it.
@@ -21,66 +25,80 @@ impl Corrector {
         }
     }
 
-    /// Estimate of the remaining error with corrections that decrease by theta: theta / (1 -
-    /// theta) times the last one; with full Newton steps it is smaller.
+    /// Estimate of the remaining error with corrections that decrease by theta: theta / (1 - theta)
+    /// times the last one; with full Newton steps it is smaller. With a Jacobian of an earlier step
+    /// theta is the larger of the last two ratios.
     fn left(&self, last: &Iteration) -> f64 {
-        match self.shrinking() {
+        let before = match &self.history[self.first..] {
+            [.., first, second, _] if self.is_of_past() => second.correction / first.correction,
+            _ => 0.0,
+        };
+        match self.shrinking().map(|theta| theta.max(before)) {
             Some(theta) if theta < 1.0 => theta / (1.0 - theta) * last.correction,
             Some(_) => f64::INFINITY,
             None => last.correction,
         }
     }
 
-    /// Whether the last correction was found with the Jacobian of another iterate of the step.
-    pub(super) fn is_with_kept(&self, limits: &StepLimits) -> bool {
-        limits.jacobians == Jacobians::Full && self.kept.is_some_and(|kept| kept.uses > 1)
+    /// Whether the last correction was found with the Jacobian of an earlier step.
+    fn is_of_past(&self) -> bool {
+        self.kept.is_some_and(|kept| !kept.is_of_this_step)
     }
 
-    /// Whether the last correction, or over steps the error that it leaves, is so small that its
-    /// residual need not be checked.
+    /// Whether the last correction was found with the Jacobian of another iterate.
+    fn is_with_kept(&self) -> bool {
+        self.kept.is_some_and(|kept| kept.uses > 1) || self.is_of_past()
+    }
+
+    /// Whether the last correction, or the error that it leaves, is so small that its residual need not
+    /// be checked.
     pub(super) fn is_last(&self, size: f64, limits: &StepLimits) -> bool {
-        if limits.jacobians == Jacobians::Modified && self.is_estimated_small(limits) {
-            return true;
+        if !self.is_with_kept() {
+            return size <= ROUND_OFF * limits.correction;
         }
-        let (part, left) = match limits.jacobians {
-            Jacobians::Full if self.is_with_kept(limits) => (OF_KEPT, size),
-            Jacobians::Full => (ROUND_OFF, size),
-            Jacobians::Modified => {
-                let last = self.history[self.first..].last();
-                (
-                    ROUND_OFF,
-                    last.map_or(size, |last| self.left(last).min(size)),
-                )
-            }
-        };
-        left <= part * limits.correction
+        if !self.is_of_past() {
+            return size <= OF_KEPT * limits.correction;
+        }
+        let last = self.history[self.first..].last();
+        let left = last.map_or(size, |last| self.left(last));
+        left <= (LEFT * limits.correction).max(FLOOR) && self.is_residual_small(limits)
     }
 
-    /// Whether the residual and the error after the last correction are small if both decrease as
-    /// they did before it: `r_2 (r_2/r_1)` and [`Self::left`].
-    fn is_estimated_small(&self, limits: &StepLimits) -> bool {
+    /// Whether the residual after the last correction is small if it decreases as it did before it:
+    /// `r_2 (r_2/r_1)`.
+    fn is_residual_small(&self, limits: &StepLimits) -> bool {
         let [.., before, last] = &self.history[self.first..] else {
             return false;
         };
         let [before, now] = [before, last].map(|iteration| iteration.worst.relative);
-        let residual = now * (now / before);
-        residual <= ESTIMATED * limits.residual && self.left(last) <= ESTIMATED * limits.correction
+        now * (now / before) <= (RESIDUAL_LEFT * limits.residual).max(FLOOR)
+    }
+
+    /// Whether the last correction has not reduced the residual.
+    pub(super) fn is_at_floor(&self) -> bool {
+        let last = self.history[self.first..].last();
+        last.is_some_and(|last| self.worst.relative >= STAGNATION * last.worst.relative)
     }
 
     /// Whether no further correction is needed.
     ///
     /// With high stiffness the round-off of the residual is above its limit: then a small
-    /// correction is sufficient.
+    /// correction is sufficient. A residual that a Jacobian of an earlier step does not reduce may be
+    /// in a direction in which that Jacobian is wrong.
     pub(super) fn is_settled(&self, limits: &StepLimits) -> bool {
         let Some(last) = self.history[self.first..].last() else {
             return false;
         };
         let worst = self.worst.relative;
-        let is_at_floor = worst >= STAGNATION * last.worst.relative;
+        let least = if self.is_of_past() {
+            FLOOR
+        } else {
+            limits.correction
+        };
         worst <= ROUND_OFF * limits.residual
-            || !self.is_with_kept(limits)
+            || !self.is_with_kept()
                 && worst <= limits.residual
                 && self.left(last) <= limits.correction
-            || is_at_floor && last.correction <= limits.correction
+            || self.is_at_floor() && last.correction <= least
     }
 }
