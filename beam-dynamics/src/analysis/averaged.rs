@@ -23,7 +23,6 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, Matrix3};
 
-use crate::analysis::frozen::{frozen, hold};
 use crate::analysis::multiblade::{Coordinates, FEW, Factors, NoCoordinates, SlotKind};
 use crate::analysis::periodic::record;
 use crate::analysis::transient::{consistent_rates, independent};
@@ -237,8 +236,6 @@ fn linearized(system: &System, state: &State, conditions: &Conditions) -> [Spars
     ];
     let work = &mut system.workspace();
     system.combine(state, conditions, &variations, (&mut out, None), work);
-    let held = frozen(&by_unknowns, &by_rates, system.numbering());
-    hold(&held, [&mut by_unknowns, &mut by_rates]);
     [by_unknowns, by_rates]
 }
 

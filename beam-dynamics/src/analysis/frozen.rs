@@ -6,7 +6,7 @@
 //! E / A > 1e5 s
 //! ```
 //!
-//! of more than a day for a frozen wake. Such scalars are constants of small motions: the roots of their own, near
+//! 1e5 s are a day; a frozen wake has ten. Such scalars are constants of small motions: the roots of their own, near
 //! `-A/E`, would be the least damped ones of all.
 
 use crate::assembly::Sparse;
@@ -14,6 +14,8 @@ use crate::model::Numbering;
 
 /// Rate of relaxation below which a scalar is constant \[1/s\].
 const SLOWEST: f64 = 1e-5;
+/// Rate below which a root is zero \[1/s\].
+const ZERO: f64 = 1e-7;
 
 /// Indices of the unknowns of such scalars, by the derivatives of the equations by unknowns and by rates.
 pub(super) fn frozen(by_unknowns: &Sparse, by_rates: &Sparse, numbering: &Numbering) -> Vec<usize> {
@@ -27,18 +29,7 @@ pub(super) fn frozen(by_unknowns: &Sparse, by_rates: &Sparse, numbering: &Number
         .collect()
 }
 
-/// Lets the equations of unknowns `held` be the ones of constants without change.
-pub(super) fn hold(held: &[usize], [by_unknowns, by_rates]: [&mut Sparse; 2]) {
-    for (matrix, keeps_diagonal) in [(by_unknowns, true), (by_rates, false)] {
-        let pattern = std::sync::Arc::clone(matrix.pattern());
-        for column in 0..pattern.size() {
-            for index in pattern.column(column) {
-                let row = pattern.rows()[index] as usize;
-                let is_kept = keeps_diagonal && row == column;
-                if !is_kept && held.binary_search(&row).is_ok() {
-                    matrix.values_mut()[index] = 0.0;
-                }
-            }
-        }
-    }
+/// Whether a growth is the one of such a scalar alone \[1/s\]: a root that passes zero is nearer to it.
+pub(super) fn is_frozen(growth: f64) -> bool {
+    -growth < SLOWEST && -growth > ZERO
 }

@@ -9,6 +9,7 @@ use nalgebra::Complex;
 
 use super::{Air, Averaged, USE_FLOQUET, air_acts, averaged};
 use crate::analysis::fewer_modes::why_no_more;
+use crate::analysis::frozen::{frozen, is_frozen};
 use crate::analysis::multiblade::{Coordinates, Named, Names};
 use crate::assembly::{MasslessMotions, Tangent};
 use crate::case::{Model, PeriodicSettings, Words};
@@ -75,6 +76,17 @@ pub(in crate::analysis) fn averaged_modes(
         speed: settings.speed.unwrap_or(0.0).abs(),
     };
     let mut found = searched(&problem, wanted, &seen(&tangent))?;
+    if !frozen(
+        &tangent.by_unknowns,
+        &tangent.by_rates,
+        model.system.numbering(),
+    )
+    .is_empty()
+    {
+        let is_constant =
+            |mode: &AveragedMode| !mode.named.oscillates && is_frozen(mode.exponent.re);
+        found.modes.retain(|mode| !is_constant(mode));
+    }
     found.vacuum = vacuum.as_ref().and_then(|vacuum| {
         let oscillations = found.modes.iter().filter(|mode| mode.named.oscillates);
         let wanted = oscillations.count().max(wanted);

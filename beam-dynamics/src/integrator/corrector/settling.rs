@@ -8,6 +8,10 @@ const STAGNATION: f64 = 0.5;
 /// Ratio to the limit below which a residual or correction is only round-off.
 const ROUND_OFF: f64 = 1e-3;
 
+/// Size of corrections of full Newton below which the next one is of the size of round-off: their errors are squared
+/// [sizes of the system].
+const SMALL: f64 = 1e-9;
+
 /// Ratio to the limit below which the error that a correction with a Jacobian of an earlier step leaves
 /// needs no further one: a correction of [`OF_KEPT`] of the limit, of which the next is a tenth, leaves
 /// as much.
@@ -100,5 +104,17 @@ impl Corrector {
                 && worst <= limits.residual
                 && self.left(last) <= limits.correction
             || self.is_at_floor() && last.correction <= least
+            || worst <= limits.residual && self.is_round_off()
+    }
+
+    /// Whether the last correction of full Newton is round-off: the one before it was so small that it is none of another
+    /// kind, and it is as large.
+    fn is_round_off(&self) -> bool {
+        match &self.history[self.first..] {
+            [.., before, last] if !self.is_with_kept() => {
+                before.correction <= SMALL && last.correction >= STAGNATION * before.correction
+            }
+            _ => false,
+        }
     }
 }
