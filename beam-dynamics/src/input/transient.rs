@@ -181,16 +181,22 @@ pub(super) fn read(root: &Table<'_>) -> Option<Option<TransientSettings>> {
         return Some(None);
     }
     let table = root.table("transient")?;
-    let settings = settings(&table, root.has("air"));
+    let settings = settings(&table, has_strips(root));
     table.finish_beside(&OF_TRANSIENT);
     settings.map(Some)
 }
 
-fn settings(table: &Table<'_>, is_in_air: bool) -> Option<TransientSettings> {
+/// Whether the model has strips in the air.
+fn has_strips(root: &Table<'_>) -> bool {
+    let is_in_air = |blade: &Table<'_>| blade.has("aerodynamics");
+    root.has("strip") || root.is_list("blade") && root.tables("blade").iter().any(is_in_air)
+}
+
+fn settings(table: &Table<'_>, has_strips: bool) -> Option<TransientSettings> {
     let times = times(table);
     let stepping = stepping(table, times.map(|[from, to]| to - from));
     let scheme = scheme(table);
-    let newton = newton(table, is_in_air);
+    let newton = newton(table, has_strips);
     let jacobian = table.get(&JACOBIAN);
     let start = start(table);
     let shape = shape(table, start);
@@ -361,11 +367,11 @@ fn within(
     table.get_if(key, |found| found.is_none_or(is_right), key.schema.expected)
 }
 
-/// The iteration of a step. Jacobians of strips cost as much as several corrections: in the air they
-/// are kept unless the file states otherwise.
-fn newton(table: &Table<'_>, is_in_air: bool) -> Option<StepLimits> {
+/// The iteration of a step. Jacobians of strips cost as much as several corrections: with strips
+/// they are kept unless the file states otherwise.
+fn newton(table: &Table<'_>, has_strips: bool) -> Option<StepLimits> {
     const METHODS: [Jacobians; 2] = [Jacobians::Full, Jacobians::Modified];
-    let own = METHODS[usize::from(is_in_air)];
+    let own = METHODS[usize::from(has_strips)];
     let standard = StepLimits {
         jacobians: own,
         ..StepLimits::default()

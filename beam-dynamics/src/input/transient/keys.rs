@@ -79,7 +79,7 @@ keys! {
     /// A Jacobian in every step, or one that is kept over steps and turns with the model: two times
     /// faster for rotors in the air.
     pub(super) METHOD: Option<usize> = "method", [Word(&["full", "modified"])],
-        or "`\"modified\"` with `[air]`, otherwise `\"full\"`", "\"full\"";
+        or "`\"modified\"` with strips, otherwise `\"full\"`", "\"full\"";
     /// Largest number of iterations in a step, 15 unless given.
     pub(super) ITERATIONS: Option<usize> = "iterations", [Count(MOST_ITERATIONS)], optional, "30";
     /// Remaining error after the last correction, in sizes of the model and radians, from 1e-13

@@ -88,15 +88,18 @@ fn every_key_of_the_card_is_read() {
     assert_eq!(newton.jacobians, Jacobians::Modified);
 }
 
-/// Jacobians are kept in the air, unless the file states otherwise.
+/// Air without strips does not change a run: Jacobians are not kept unless the file states it.
 #[test]
-fn jacobians_are_kept_in_the_air() {
+fn jacobians_are_not_kept_without_strips() {
     let air = "[air]\ndensity = 1.2\n";
     for (card, newton, expected) in [
         ("", "", Jacobians::Full),
-        (air, "", Jacobians::Modified),
-        (air, "newton = { tolerance = 1e-8 }\n", Jacobians::Modified),
-        (air, "newton = { method = \"full\" }\n", Jacobians::Full),
+        (air, "newton = { tolerance = 1e-8 }\n", Jacobians::Full),
+        (
+            "",
+            "newton = { method = \"modified\" }\n",
+            Jacobians::Modified,
+        ),
     ] {
         let run = format!("[transient]\nto = 1\nstep = 0.1\n{newton}");
         let settings = read(&format!("{BODY}{card}{run}")).unwrap().transient;
