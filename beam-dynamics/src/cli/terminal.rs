@@ -26,6 +26,8 @@ pub(super) struct Terminal<'a> {
     failed: bool,
     /// Whether the output stream takes nothing.
     quiet: bool,
+    /// Remarks on units that are likely wrong, each with the name of the result: causes of failures.
+    suspects: Vec<(String, String)>,
 }
 
 /// Destination of messages.
@@ -50,6 +52,7 @@ impl<'a> Terminal<'a> {
             },
             failed: false,
             quiet: false,
+            suspects: Vec::new(),
         }
     }
 
@@ -60,6 +63,7 @@ impl<'a> Terminal<'a> {
             sink: Sink::Other { send, part },
             failed: false,
             quiet: false,
+            suspects: Vec::new(),
         }
     }
 
@@ -86,15 +90,28 @@ impl<'a> Terminal<'a> {
         self.take(Message::Flush);
     }
 
-    /// Writes a line to the error stream, below all that was shown before.
+    /// Writes a line to the error stream, below all that was shown before. The error of a result names
+    /// its remarks on units.
     pub fn report_text(&mut self, text: &str) {
-        self.take(Message::Report(text.to_owned()));
+        let own = |(name, _): &&(String, String)| {
+            let rest = text.strip_prefix(&format!("error: {name}"));
+            rest.is_some_and(|rest| rest.starts_with(':') || rest.starts_with(" at "))
+        };
+        let suspects = self.suspects.iter().filter(own);
+        let cause =
+            |(_, remark): &(String, String)| format!("; the cause may be a remark: {remark}");
+        let causes: String = suspects.map(cause).collect();
+        self.take(Message::Report(format!("{text}{causes}")));
     }
 
     /// Writes the remarks of a result to the error stream, if its report, which has them, is not
     /// shown.
     pub fn remark(&mut self, name: &str, remarks: &[String]) {
         for remark in remarks {
+            let suspect = (name.to_owned(), remark.clone());
+            if remark.contains("check the unit") && !self.suspects.contains(&suspect) {
+                self.suspects.push(suspect);
+            }
             self.take(Message::Remark(format!("warning: {name}: {remark}")));
         }
     }
@@ -162,6 +179,23 @@ mod tests {
         fn flush(&mut self) -> Result<()> {
             Ok(())
         }
+    }
+
+    #[test]
+    fn failures_name_the_remarks_on_units() {
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        let mut terminal = Terminal::new(&mut out, &mut err);
+        for _ in 0..2 {
+            let remarks = ["the chord is 391 m: check the unit", "another"].map(str::to_owned);
+            terminal.remark("a", &remarks);
+        }
+        for text in ["error: ab: no step", "error: a at v = 3: no step"] {
+            terminal.report_text(&format!("{text}\n  help: more steps"));
+        }
+        terminal.finish();
+        let expected = "error: ab: no step\n  help: more steps\nerror: a at v = 3: no step\n  help: more steps; \
+                        the cause may be a remark: the chord is 391 m: check the unit\n";
+        assert_eq!(String::from_utf8(err).unwrap(), expected);
     }
 
     #[test]

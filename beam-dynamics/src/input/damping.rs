@@ -63,6 +63,10 @@ keys! {
     pub(super) KEY_OF_FILE: ByHand = "damping", [OneTable(&OF_FILE)], optional, "";
 }
 
+/// The keys of which one is expected, of a section and of a blade file.
+const ONE: &str = "\"time\" and \"matrix\"";
+const ONE_OF_FILE: &str = "\"time\", \"times\" and \"matrix\"";
+
 /// Damping of a blade file.
 pub(super) enum OfFile {
     /// The same as of a section.
@@ -73,13 +77,13 @@ pub(super) enum OfFile {
 
 /// The damping of a blade from a file, as [`read`].
 pub(super) fn read_of_file(table: &Table<'_>) -> Option<Option<OfFile>> {
-    let Some(inner) = opened(table, &KEY_OF_FILE)? else {
+    let Some(inner) = opened(table, &KEY_OF_FILE, ONE_OF_FILE)? else {
         return Some(None);
     };
     if inner.has(&TIMES) {
         return times(table, &inner).map(|times| Some(OfFile::Times(times)));
     }
-    of_section(table, &inner).map(|own| Some(OfFile::Section(Box::new(own))))
+    of_section(table, &inner, ONE_OF_FILE).map(|own| Some(OfFile::Section(Box::new(own))))
 }
 
 /// The damping of a blade from a file as it is written, with its key, for a card of the blade.
@@ -91,19 +95,26 @@ pub(super) fn copied(table: &Table<'_>) -> Option<(&'static str, Content)> {
 /// The damping of a table of properties: `None` if it is wrong, `Some(None)` if there is
 /// none.
 pub(super) fn read(table: &Table<'_>) -> Option<Option<Damping>> {
-    let Some(inner) = opened(table, &KEY)? else {
+    let Some(inner) = opened(table, &KEY, ONE)? else {
         return Some(None);
     };
-    of_section(table, &inner).map(Some)
+    of_section(table, &inner, ONE).map(Some)
 }
 
 /// The table of the damping; `None` if it is no table, `Some(None)` if there is none.
-fn opened<'a>(table: &'a Table<'_>, key: &Key<ByHand>) -> Option<Option<Table<'a>>> {
+fn opened<'a>(
+    table: &'a Table<'_>,
+    key: &Key<ByHand>,
+    one: &'static str,
+) -> Option<Option<Table<'a>>> {
     if !table.has(key) {
         return Some(None);
     }
     if !table.is_table(key) {
-        table.wrong(key, "{ time = ... } or { matrix = ... }");
+        table.wrong(
+            key,
+            &format!("a table with one of {one}, as in {{ time = 1e-3 }}"),
+        );
         return None;
     }
     table.table(key).map(Some)
@@ -112,7 +123,7 @@ fn opened<'a>(table: &'a Table<'_>, key: &Key<ByHand>) -> Option<Option<Table<'a
 fn times(table: &Table<'_>, inner: &Table<'_>) -> Option<[f64; 6]> {
     let times = inner.get(&TIMES);
     if inner.has(&TIME) || inner.has(&MATRIX) {
-        table.note(&KEY_OF_FILE, &InputProblem::OneDamping);
+        table.note(&KEY_OF_FILE, &InputProblem::OneDamping(ONE_OF_FILE));
         return None;
     }
     inner.finish();
@@ -124,12 +135,12 @@ fn times(table: &Table<'_>, inner: &Table<'_>) -> Option<[f64; 6]> {
     Some(times)
 }
 
-fn of_section(table: &Table<'_>, inner: &Table<'_>) -> Option<Damping> {
+fn of_section(table: &Table<'_>, inner: &Table<'_>, one: &'static str) -> Option<Damping> {
     let damping = match [inner.has(&TIME), inner.has(&MATRIX)] {
         [true, false] => inner.get(&TIME).map(Damping::StiffnessProportional),
         [false, true] => matrix(inner).map(Damping::Viscous),
         _ => {
-            table.note(&KEY, &InputProblem::OneDamping);
+            table.note(&KEY, &InputProblem::OneDamping(one));
             None
         }
     };

@@ -235,7 +235,10 @@ fn damping_of_properties_is_a_time_or_a_matrix() {
     );
 
     let both = axial_viscosity(&format!("time = 1\nmatrix = {rows}")).unwrap_err();
-    assert!(both.contains("needs a \"time\" or a \"matrix\""), "{both}");
+    assert!(
+        both.contains("needs one of \"time\" and \"matrix\""),
+        "{both}"
+    );
     let negative = axial_viscosity("time = -1").unwrap_err();
     assert!(negative.contains("\"time\" is -1"), "{negative}");
     let indefinite = axial_viscosity(&format!("matrix = {}", rows.replace('5', "-5")));

@@ -21,6 +21,11 @@ use keys::{
 
 /// Least number of steps in a period: shorter periods of the motion are not seen with fewer.
 const LEAST_STEPS: usize = 4;
+/// Number of steps below which the fundamental of the motion itself is coarse.
+const FEW_STEPS: usize = 8;
+/// Smallest tolerance: a period sums some hundred round-offs of 1e-16.
+const LEAST_TOLERANCE: f64 = 1e-13;
+const TOLERANCE_EXPECTED: &str = "at least 1e-13: round-off of a period is not smaller";
 /// Part of the turns by which a period that is written with fewer digits than the speed of a rotor may be off.
 const WRITTEN: f64 = 1e-6;
 /// Part of a period that is its round-off.
@@ -101,9 +106,20 @@ fn settings(
     let period = period(table, rotors).map(|own| in_turns(own, rotors, builder));
     let steps = table.get_if(&STEPS, |steps| *steps >= LEAST_STEPS, "at least 4 steps");
     let (stages, method) = (table.get(&STAGES), table.get(&METHOD));
-    let (tolerance, iterations) = (table.get(&TOLERANCE), table.get(&ITERATIONS));
+    let tolerance = table.get_if(
+        &TOLERANCE,
+        |own| *own >= LEAST_TOLERANCE,
+        TOLERANCE_EXPECTED,
+    );
+    let iterations = table.get(&ITERATIONS);
     let (periods, settle) = (table.get(&PERIODS), table.get(&SETTLE));
     let harmonics = table.get(&HARMONICS);
+    if let Some(few) = steps.filter(|steps| *steps < FEW_STEPS) {
+        builder.add_remarks(vec![format!(
+            "\"steps\" = {few} of [periodic] are few: {FEW_STEPS} or more for each oscillation in the period resolve \
+             the motion"
+        )]);
+    }
     let (start, redundant) = (table.get(&START), table.get(&REDUNDANT));
     let ((period, speed), from, steps) = (period?, from?, steps?);
     let start = match (start?, speed) {

@@ -99,8 +99,8 @@ pub enum InputProblem {
         name: String,
     },
     /// Internal damping that is not given, or given twice.
-    #[error("\"damping\" needs a \"time\" or a \"matrix\", and not both")]
-    OneDamping,
+    #[error("\"damping\" needs one of {0}")]
+    OneDamping(&'static str),
     /// A list of a wrong length.
     #[error("\"{key}\" lists {found}, expected {expected}")]
     Count {
@@ -442,7 +442,7 @@ impl Explain for InputProblem {
             Self::Wrung { .. } => "divide the beam into shorter ones",
             Self::NoProperties { .. } => "name the properties in [[blade]] or in the piece",
             Self::ImpossibleInertia { .. } => {
-                "the three moments are about the axes of the node, at the center of the body"
+                "the moments are about the center, in the axes of the node; with J about the shaft alone write [J / 2, J / 2, J], a disk"
             }
             _ => return None,
         };

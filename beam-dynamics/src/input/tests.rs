@@ -584,7 +584,16 @@ fn files_beside_the_input_are_checked() {
 #[test]
 fn bodies_have_possible_inertias() {
     let cards = format!("{BEAM}{MODES}[[body]]\nnode = \"tip\"\nmass = 1\ninertia = [1, 1, 3]\n");
-    assert!(refused(&cards).contains("body \"body 1\" has the inertia [1.0, 1.0, 3.0] kg m^2"));
+    let shown = refused(&cards);
+    assert!(shown.contains("body \"body 1\" has the inertia [1.0, 1.0, 3.0] kg m^2"));
+    assert!(
+        shown.contains("help: the moments are about the center"),
+        "{shown}"
+    );
+    // The remedy of a moment about the shaft alone is a sound body.
+    let about_the_shaft = cards.replace("[1, 1, 3]", "[0, 0, 3.257e5]");
+    assert!(refused(&about_the_shaft).contains("write [J / 2, J / 2, J]"));
+    input(&cards.replace("[1, 1, 3]", "[1.6285e5, 1.6285e5, 3.257e5]")).unwrap();
     expect(
         &cards,
         "mass = 1",

@@ -599,7 +599,7 @@ fn meanings_of_mistakes_are_reported() {
         (
             "damping = { time = 5e-3 }",
             "damping = 0.01",
-            "\"damping\" is 0.01, expected { time = ... } or { matrix = ... }",
+            "\"damping\" is 0.01, expected a table with one of \"time\" and \"matrix\", as in { time = 1e-3 }",
         ),
         (
             "[gravity]",

@@ -11,6 +11,7 @@
 use std::sync::Arc;
 
 use shared_geom::error::Explain;
+use shared_geom::units::rounded;
 
 use super::data::{Coefficients, Flow};
 use super::evaluated::{Airfoil, FlowNumber, Profile};
@@ -53,7 +54,10 @@ pub enum BlendProblem {
         airfoil: String,
     },
     /// A position is out of range.
-    #[error("no airfoil at {at}: the airfoils are from {from} to {to}")]
+    #[error(
+        "no airfoil at {}: the airfoils are from {} to {}",
+        rounded(*.at), rounded(*.from), rounded(*.to)
+    )]
     OutOfRange {
         /// Requested position \[unit of the positions\].
         at: f64,
@@ -351,6 +355,9 @@ mod tests {
             let problem = blend.section(at).unwrap_err();
             assert!(matches!(problem, BlendProblem::OutOfRange { .. }) && problem.help().is_some());
         }
+        // -0.30000000000000004 without rounding.
+        let shown = blend.section(-0.1 - 0.2).unwrap_err().to_string();
+        assert_eq!(shown, "no airfoil at -0.3: the airfoils are from 0 to 5");
     }
 
     /// Between 20 and 30 % of thickness, at the same angle; in any order.

@@ -80,7 +80,7 @@ impl Blade {
     fn mass_remark(&self, unit: Option<f64>) -> Option<String> {
         let axial = self.median(|at| axial_square(&at.stiffness, &at.mass));
         let bending = self.median(|at| bending_square(&at.stiffness, &at.mass));
-        let squares = Squares::of([axial, bending])?;
+        let squares = Squares::of(axial, bending)?;
         let plastic = self.stations.iter();
         let plastic = plastic.filter(|at| is_solid_plastic(squares.large, &at.stiffness, &at.mass));
         if 2 * plastic.count() > self.stations.len() {
@@ -172,9 +172,10 @@ pub fn section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<S
 /// consistent units: soft and rigid ones may be intended, which the remark mentions.
 pub fn written_section_remark(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<String> {
     let squares = Squares::of_section(stiffness, mass)?;
-    let (square, of, limit, meant) = if squares.small.sqrt() > FAST {
+    let small = squares.small.filter(|square| square.sqrt() > FAST);
+    let (square, of, limit, meant) = if let Some(small) = small {
         (
-            squares.small,
+            small,
             SMALLER,
             format!("below {:.1e}", FAST * FAST),
             "rigid",
@@ -201,33 +202,37 @@ const SMALLER: &str = "the smaller of EA / m and EI / I";
 
 /// Squares of the speed of sound [m^2/s^2]. Mass without stiffness makes each of them smaller: the
 /// larger one shows whether the mass is too large. A body without much rotary inertia makes the one of
-/// bending larger: the smaller one shows whether the mass is too small.
+/// bending larger: the smaller one shows whether the mass is too small, which bending alone does not.
 #[derive(Clone, Copy)]
 struct Squares {
-    small: f64,
+    small: Option<f64>,
     large: f64,
 }
 
 impl Squares {
     /// Of the numbers that are finite and positive; `None` without any.
-    fn of(squares: [Option<f64>; 2]) -> Option<Self> {
-        let squares = squares.into_iter().flatten();
-        let squares = squares.filter(|x| x.is_finite() && *x > 0.0);
+    fn of(axial: Option<f64>, bending: Option<f64>) -> Option<Self> {
+        let [axial, bending] =
+            [axial, bending].map(|square| square.filter(|x| x.is_finite() && *x > 0.0));
+        let both = axial.into_iter().chain(bending);
         Some(Self {
-            small: squares.clone().reduce(f64::min)?,
-            large: squares.reduce(f64::max)?,
+            small: axial.map(|axial| bending.map_or(axial, |bending| axial.min(bending))),
+            large: both.reduce(f64::max)?,
         })
     }
 
     fn of_section(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> Option<Self> {
-        Self::of([axial_square, bending_square].map(|square| Some(square(stiffness, mass))))
+        Self::of(
+            Some(axial_square(stiffness, mass)),
+            Some(bending_square(stiffness, mass)),
+        )
     }
 
     /// Remark on a section, or on what `of` describes, in a file that declares the unit of length
     /// `unit` [m].
     fn remark(self, of: &str, unit: Option<f64>) -> Option<String> {
-        if self.small.sqrt() > FAST {
-            let implied = implied(self.small, &format!("{of}{SMALLER}"));
+        if let Some(small) = self.small.filter(|square| square.sqrt() > FAST) {
+            let implied = implied(small, &format!("{of}{SMALLER}"));
             return Some(format!(
                 "{implied}, lighter than any material: check the units of mass and stiffness"
             ));
@@ -277,9 +282,14 @@ fn is_solid_plastic(square: f64, stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) 
         && ea / area <= PLASTIC_MODULUS
 }
 
-/// EA / m.
+/// EA / m; not a number if EA is the substitute of a rigid section (see [`super::rigid`]), which is the same
+/// as both shear stiffnesses.
 fn axial_square(stiffness: &Matrix6<f64>, mass: &Matrix6<f64>) -> f64 {
-    stiffness[(0, 0)] / mass[(0, 0)]
+    let axial = stiffness[(0, 0)];
+    if [1, 2].iter().all(|i| stiffness[(*i, *i)] == axial) {
+        return f64::NAN;
+    }
+    axial / mass[(0, 0)]
 }
 
 /// (EIy + EIz) / (Iy + Iz).

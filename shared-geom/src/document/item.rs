@@ -4,7 +4,7 @@ use super::tree::{Kind, Value};
 use super::{Document, DocumentProblem};
 use crate::error::Explain;
 use crate::expression::written;
-use crate::units::{Dimension, parse_quantity};
+use crate::units::{Dimension, parse_quantity, rounded};
 
 /// Largest magnitude of a number: squares and products with other numbers do not overflow
 /// [SI unit of the dimension].
@@ -65,10 +65,23 @@ impl<'a> Item<'a> {
     pub fn wrong<T>(&self, expected: &str) -> Option<T> {
         self.note(&DocumentProblem::WrongValue {
             key: self.key.clone(),
-            found: self.value.kind.describe(),
+            found: self.found(),
             expected: expected.to_owned(),
         });
         None
+    }
+
+    /// The value in a message, with the one that an expression has.
+    fn found(&self) -> String {
+        let text = self.value.kind.describe();
+        let number = self.text().and_then(|text| self.document.quietly(text));
+        number.map_or(text.clone(), |number| {
+            format!(
+                "{}, the value of {}",
+                rounded(number),
+                text.trim_start_matches("the text ")
+            )
+        })
     }
 
     /// The text, if it is one.

@@ -96,15 +96,16 @@ pub(super) fn read(
             pair[1].1[0].to_string(),
             "a larger value than before",
         )),
-        (None, 0 | 1) => Some((
-            line,
-            format!("a table of {} rows", rows.len()),
-            "2 rows or more",
-        )),
+        (None, 0) => Some((line, "a table without rows".to_owned(), "2 rows or more")),
+        (None, 1) => Some((line, "a table of 1 row".to_owned(), "2 rows or more")),
         _ => None,
     };
     if let Some((at, found, expected)) = problem {
-        let problem = wrong("rows", found, expected.to_owned());
+        let key = match &file {
+            Some(_) if rows.len() < 2 => FILE.name(),
+            _ => ROWS.name(),
+        };
+        let problem = wrong(key, found, expected.to_owned());
         match file.filter(|_| rows.len() > 1) {
             Some(file) => {
                 let location = SourceLocation::line(&file, at);
@@ -339,6 +340,12 @@ mod tests {
             falls.contains("d.csv:3: \"rows\" is 5, expected a larger value"),
             "{falls}"
         );
+        std::fs::write(folder.path().join("f.csv"), "3,1\n").unwrap();
+        let short = wrong("file = \"f.csv\"");
+        assert!(
+            short.contains("a.toml:3: \"file\" is a table of 1 row, expected 2 rows or more"),
+            "{short}"
+        );
         let absent = wrong("file = \"e.csv\"");
         assert!(absent.contains("a.toml:3"), "{absent}");
     }
@@ -357,7 +364,7 @@ mod tests {
             ),
             (
                 "of = \"v\", rows = [[3, 1]]",
-                "a table of 1 rows, expected 2 rows or more",
+                "\"rows\" is a table of 1 row, expected 2 rows or more",
             ),
             (
                 "of = \"v\", rows = [[3, 1], [5]]",

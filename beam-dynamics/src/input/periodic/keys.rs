@@ -37,7 +37,7 @@ keys! {
     pub(super) METHOD: usize = "method", [Word(&["shooting", "march"])], or "\"shooting\"" = 0,
         "\"march\"";
     /// Largest change in a period: relative to the size of the model, in radians, relative to momenta
-    /// of the size of the model moving in a period, and to the sizes of scalars.
+    /// of the size of the model moving in a period, and to the sizes of scalars. At least 1e-13, the round-off.
     pub(super) TOLERANCE: f64 = "tolerance", [Positive(Dimension::NUMBER)], or "1e-9" = 1e-9,
         "1e-7";
     /// Largest number of Newton iterations.

@@ -4,6 +4,9 @@ use shared_geom::error::{Explain, quoted};
 
 use crate::input::number::short_number;
 
+/// Part of the radius of the tip beyond which a hub is too large \[-\].
+const HUB: f64 = 0.5;
+
 /// A problem of a column or a sensor.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadingProblem {
@@ -135,6 +138,10 @@ impl Explain for ReadingProblem {
                     .to_owned(),
             ),
             Self::StripNumber { .. } => None,
+            Self::OffStrips { ends, .. } if ends[0] > HUB => Some(format!(
+                "the hub has {} of the radius: check the unit of \"hub_radius\"",
+                short_number(ends[0], 3)
+            )),
             Self::OffStrips { .. } => Some(
                 "strips are at Gauss points; \"strip\" selects the first or the last".to_owned(),
             ),
@@ -145,6 +152,23 @@ impl Explain for ReadingProblem {
             Self::AxesOfOther => {
                 Some("or sense three components, and turn them by an expression".to_owned())
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hubs_that_are_too_large_are_the_cause() {
+        for (first, expected) in [
+            (0.2, "Gauss points"),
+            (0.991, "the hub has 0.991 of the radius"),
+        ] {
+            let (found, ends, blade) = (0.1, [first, 1.0], "main 1".to_owned());
+            let help = ReadingProblem::OffStrips { found, ends, blade }.help();
+            assert!(help.unwrap_or_default().contains(expected), "{expected}");
         }
     }
 }

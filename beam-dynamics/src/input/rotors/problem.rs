@@ -437,7 +437,8 @@ impl RotorProblem {
             Self::HeldControl { .. } => "write method = \"shooting\" in [trim], and add [periodic]",
             Self::Carried { .. } => {
                 "find the motion in [periodic] with the speed of the rotor, its modes in \
-                 [periodic.floquet], and these over a parameter in [stability] with by = \"Floquet\"; \
+                 [periodic.floquet], and these over a parameter in [stability] with by = \"Floquet\", or by = \"averaged\" for three or \
+                 more equal blades; \
                  runs in time begin with start = \"given\""
             }
             Self::Axes { .. } => {

@@ -52,7 +52,8 @@ keys! {
         or "the radius of the hub of `file`", "1.5";
 }
 
-/// Part of the length by which a station of a file may lie beyond an end: digits of files.
+/// Part of the length by which a station of a file may lie beyond an end, and difference of thicknesses over
+/// chord: digits of files.
 const DIGITS: f64 = 1e-4;
 /// Difference of two angles of the cone that is not reported \[rad\]: digits of files.
 const SAME_CONE: f64 = 1e-3;

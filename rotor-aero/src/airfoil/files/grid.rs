@@ -11,9 +11,6 @@ const ROUNDED: f64 = 2e-4;
 /// Tables that begin or end this close to half a turn are closed there, if requested [rad].
 const ALMOST: f64 = 0.01;
 
-/// Ends of a whole turn that differ by more are remarked [-].
-const SAME_ENDS: f64 = 1e-6;
-
 /// Unit of the angles of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Unit {
@@ -145,20 +142,9 @@ impl Grid {
         false
     }
 
-    /// Remarks on a table that does not close.
+    /// A remark on a table that does not close.
     fn remark(&self, what: &str, line: usize, notes: &mut Notes) {
         let (first, last) = (self.alpha.first().copied(), self.alpha.last().copied());
-        let is_whole = first == Some(-PI) && last == Some(PI);
-        let differ = |column: &Vec<f64>| match (column.first(), column.last()) {
-            (Some(a), Some(b)) => (a - b).abs() > SAME_ENDS,
-            _ => false,
-        };
-        if is_whole && self.columns.iter().any(differ) {
-            notes.remark(
-                line,
-                &format!("{what}: the values at -180 and 180 deg differ"),
-            );
-        }
         if (first == Some(-PI)) != (last == Some(PI)) && self.alpha.len() > 1 {
             let text = format!("{what}: only one end of the table is at half a turn");
             notes.remark(line, &text);

@@ -119,6 +119,22 @@ fn counts_have_a_limit() {
 }
 
 #[test]
+fn wrong_expressions_are_reported_with_their_value() {
+    let text = "mass = \"= 2 - 3.5\"\nname = \"a\"\nfriction = \"= -0.1 - 0.2\"\n";
+    let shown = problems(text, |table| {
+        assert_eq!(table.get(&MASS), None);
+        assert_eq!(table.get(&FRICTION), None);
+        assert!(table.has(&NAME));
+    });
+    for expected in [
+        "\"mass\" is -1.5, the value of \"= 2 - 3.5\", expected a mass greater than zero",
+        "\"friction\" is -0.3, the value of \"= -0.1 - 0.2\", expected a pure number, zero or more",
+    ] {
+        assert!(shown.contains(expected), "{expected} is not in\n{shown}");
+    }
+}
+
+#[test]
 fn wrong_values_are_none_and_reported() {
     let text = "name = 3\nmass = 0\nfriction = -1\naxes = \"nod\"\ncopies = 0\nfixed = 1\n";
     let shown = problems(text, |table| {

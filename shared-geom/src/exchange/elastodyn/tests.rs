@@ -33,6 +33,22 @@ fn has(reading: &Reading, part: &str) -> bool {
     reading.remarks.iter().any(|remark| remark.contains(part))
 }
 
+// Its EA is a substitute of the reader, of any size, and its rotary inertia is zero: no unit is suspect. With
+// a stiffness of its own, the same blade of a thousandth of the mass is.
+#[test]
+fn rigid_substitutes_make_no_unit_suspect() {
+    for length in [20.0, 2.0] {
+        let mut blade = read(BLADE, Some(length)).unwrap().blade;
+        assert_eq!(blade.remarks(), Vec::<String>::new());
+        // 1.2 times the substitute: far above 70 GPa over the density of any material.
+        blade
+            .stations
+            .iter_mut()
+            .for_each(|at| at.stiffness[(0, 0)] *= 1.2);
+        assert!(blade.remarks()[0].contains("lighter than any material"));
+    }
+}
+
 // Row 2: 0.4, twist 6 deg, 50 kg/m, 4e7, 9e7 N m^2; factors 1.1, 0.9, 1.2. Rigid: 1e6
 // times the larger bending stiffness, 1.08e8, over 20^2, and 1e3 times it in torsion.
 #[test]

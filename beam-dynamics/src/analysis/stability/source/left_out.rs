@@ -5,6 +5,9 @@ use std::f64::consts::TAU;
 use crate::input::short_number;
 use crate::result::StabilityRoot;
 
+/// Damping ratio above which a root is no oscillation: it decays by 1e-19 in a period \[-\].
+const OVERDAMPED: f64 = 0.99;
+
 /// Oscillations that a number of roots leaves out at the values of a parameter.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LeftOut {
@@ -21,7 +24,11 @@ impl LeftOut {
             .iter()
             .map(StabilityRoot::frequency)
             .fold(0.0, f64::max);
-        let lower = others.iter().map(StabilityRoot::frequency);
+        let lower = others.iter().filter(|root| {
+            let damping = root.damping_ratio();
+            damping.is_some_and(|ratio| ratio < OVERDAMPED)
+        });
+        let lower = lower.map(StabilityRoot::frequency);
         let lower = lower.filter(|own| (0.0..highest).contains(own) && *own > 0.0);
         self.oscillations = self.oscillations.max(lower.clone().count());
         self.lowest = lower.chain(self.lowest).reduce(f64::min);
@@ -57,6 +64,10 @@ mod tests {
         };
         let mut found = LeftOut::default();
         found.add(&roots(&[2.0, 5.0]), &roots(&[6.0, 0.0]));
+        assert_eq!(found.remark(4), None);
+        // Round-off makes a pair of two equal real roots.
+        let pair = StabilityRoot::new(Complex::new(-1.0, 1e-5));
+        found.add(&roots(&[2.0, 5.0]), &[pair]);
         assert_eq!(found.remark(4), None);
         found.add(&roots(&[2.0, 5.0]), &roots(&[4.0, 1.5, 9.0]));
         found.add(&roots(&[2.0, 5.0]), &roots(&[1.0]));

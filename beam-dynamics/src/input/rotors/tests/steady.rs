@@ -165,7 +165,7 @@ fn modes_of_a_rotor_on_a_tower_are_where_the_help_says() {
     assert!(
         found.contains("rotor \"r\" turns on a part that does not")
             && found.contains("[periodic.floquet]")
-            && found.contains("[stability]"),
+            && found.contains("[stability] with by = \"Floquet\", or by = \"averaged\" for three"),
         "{found}"
     );
 }
@@ -190,4 +190,43 @@ fn carriers_on_the_axis_do_not_turn_with_the_rotor() {
         keys,
         &format!("{pylon}[periodic]\nspeed = 1\n"),
     ));
+}
+
+/// The damping of a file has three forms.
+#[test]
+fn forms_of_damping_are_named() {
+    let of = |damping: &str| {
+        let tower = format!(
+            "speed = 1\n[rotor.tower]\nheight = 5\nfile = \"absent.dat\"\ndamping = {damping}\n"
+        );
+        refused(&text("rigid", &tower, "[static]\n"))
+    };
+    let one = "one of \"time\", \"times\" and \"matrix\"";
+    for wrong in ["{}", "{ time = 1, times = [0, 0, 0, 0, 0, 0] }", "3"] {
+        let found = of(wrong);
+        assert!(found.contains(one), "{found}");
+    }
+    assert!(!of("{ time = 1 }").contains(one));
+}
+
+/// Tolerances below round-off are refused, and few steps are remarked.
+#[test]
+fn settings_of_periods_are_attainable() {
+    let of = |keys: &str| {
+        text(
+            "rigid",
+            "speed = 1",
+            &format!("[periodic]\nspeed = 1\n{keys}\n"),
+        )
+    };
+    let found = refused(&of("tolerance = 1e-16"));
+    assert!(
+        found.contains("expected at least 1e-13: round-off"),
+        "{found}"
+    );
+    for (keys, expected) in [("tolerance = 1e-13\nsteps = 8", 0), ("steps = 4", 1)] {
+        let found = read(&of(keys));
+        let few = |remark: &&String| remark.contains("\"steps\" = 4 of [periodic] are few");
+        assert_eq!(found.remarks.iter().filter(few).count(), expected);
+    }
 }

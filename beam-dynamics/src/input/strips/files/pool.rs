@@ -12,7 +12,7 @@ use shared_geom::files::names_beside;
 
 use super::super::stations::Station;
 use super::problem::FileProblem;
-use super::{AIRFOIL_FILE, AIRFOILS, FILE, one_set};
+use super::{AIRFOIL_FILE, AIRFOILS, DIGITS, FILE, one_set};
 use crate::input::aerodynamics::family::position_between;
 use crate::input::aerodynamics::{Airfoils, airfoil_constants, checked_airfoil};
 
@@ -43,6 +43,8 @@ pub(in crate::input) struct Pool<'a> {
     given: usize,
     /// Names that no airfoil has.
     unknown: Vec<String>,
+    /// Whether all names and files of the lists are found and right.
+    sound: bool,
 }
 
 impl<'a> Pool<'a> {
@@ -55,6 +57,7 @@ impl<'a> Pool<'a> {
             entries: Vec::new(),
             given: 0,
             unknown: Vec::new(),
+            sound: true,
         }
     }
 
@@ -85,6 +88,7 @@ impl<'a> Pool<'a> {
             sound &= self.add_files(&file, AIRFOIL_FILE.name(), remarks);
         }
         self.given = self.entries.len();
+        self.sound = sound;
         sound
     }
 
@@ -133,7 +137,8 @@ impl<'a> Pool<'a> {
         self.entries.extend(airfoils.into_iter().map(entry));
     }
 
-    /// The sections of all stations; notes all problems.
+    /// The sections of all stations; notes all problems, but for airfoils that may be in a file that
+    /// cannot be read.
     pub fn sections(
         &mut self,
         stations: &[AeroStation],
@@ -144,7 +149,7 @@ impl<'a> Pool<'a> {
             |station: &AeroStation| !matches!(station.airfoil, StationAirfoil::Blend(_));
         if self.entries.is_empty() && stations.iter().any(names_none) {
             let file = file.to_owned();
-            self.table.note(&FILE, &FileProblem::NoAirfoils { file });
+            self.note(&FileProblem::NoAirfoils { file });
             return None;
         }
         let mut problems: Vec<FileProblem> = Vec::new();
@@ -164,7 +169,7 @@ impl<'a> Pool<'a> {
                 .iter()
                 .any(|other| discriminant(other) == discriminant(problem))
             {
-                self.table.note(&FILE, problem);
+                self.note(problem);
             }
         }
         sections.into_iter().collect()
@@ -219,7 +224,7 @@ impl<'a> Pool<'a> {
                 Blend::by_thickness(&profiles)
                     .and_then(|blend| blend.section(wanted))
                     .map(Some)
-                    .map_err(|problem| of_blend(named, index, &problem))
+                    .map_err(|problem| of_thickness(named, index, &problem))
             }
         }
     }
@@ -291,7 +296,14 @@ impl<'a> Pool<'a> {
             names: self.unknown.clone(),
             known: known.collect(),
         };
-        self.table.note(&FILE, &problem);
+        self.note(&problem);
+    }
+
+    /// Notes a problem of the airfoils that are found, unless others may be in a file that cannot be read.
+    fn note(&self, problem: &FileProblem) {
+        if self.sound {
+            self.table.note(&FILE, problem);
+        }
     }
 
     /// The profiles of a set; all airfoils with a thickness if none has a set.
@@ -373,6 +385,23 @@ fn of_blend(file: &str, index: usize, problem: &BlendProblem) -> FileProblem {
         index,
         reason: problem.to_string(),
         help: problem.help(),
+    }
+}
+
+/// As [`of_blend`], for a file with thicknesses in percent, of which a part of the chord is too small.
+fn of_thickness(file: &str, index: usize, problem: &BlendProblem) -> FileProblem {
+    match *problem {
+        BlendProblem::OutOfRange { at, from, to }
+            if (100.0 * at - from) > -DIGITS && (100.0 * at - to) < DIGITS =>
+        {
+            let (file, percent) = (file.to_owned(), 100.0 * at);
+            FileProblem::Fraction {
+                file,
+                index,
+                percent,
+            }
+        }
+        _ => of_blend(file, index, problem),
     }
 }
 

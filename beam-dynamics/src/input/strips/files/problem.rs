@@ -88,6 +88,18 @@ pub(super) enum FileProblem {
         reason: String,
         help: Option<String>,
     },
+    #[error(
+        "station {} of \"{file}\" has a thickness of {} % of the chord, less than any airfoil",
+        .index + 1,
+        short_number(*.percent, 6)
+    )]
+    Fraction {
+        file: String,
+        /// Index of the station, from zero.
+        index: usize,
+        /// Its thickness over its chord \[%\].
+        percent: f64,
+    },
     #[error("no file is named \"{pattern}\"")]
     NoMatch { pattern: String },
 }
@@ -136,6 +148,12 @@ impl Explain for FileProblem {
             Self::Unknown { names, known, .. } => return Some(remedy(names, known)),
             Self::NoSet { .. } => "add the pc file of HAWC2 as \"airfoil_file\"",
             Self::Thickness { help, .. } => return help.clone(),
+            Self::Fraction { percent, .. } => {
+                return Some(format!(
+                    "the ae file of HAWC2 has thicknesses in percent of the chord: {} there if it is a fraction",
+                    short_number(100.0 * percent, 6)
+                ));
+            }
             Self::NoMatch { .. } => "correct the pattern: * is any number of letters of a name",
         };
         Some(text.to_owned())

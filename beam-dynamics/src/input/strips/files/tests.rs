@@ -251,6 +251,12 @@ fn windio_files_have_their_airfoils() {
         flap: 0.0,
     };
     assert_eq!(middle.airfoil.at(&flow).lift, 0.5);
+    // Ends that differ are one remark.
+    let open = WINDIO.replace("values: [0, 0.5, 0]", "values: [0, 0.5, 0.01]");
+    fs::write(folder.path().join("t.yaml"), open).unwrap();
+    let (_, remarks) = read_straight(text, &path, 48.0).unwrap();
+    let ends = remarks.iter().filter(|remark| remark.contains("180 deg"));
+    assert_eq!(ends.count(), 1, "{remarks:?}");
     let shown = read_straight(text, &path, 47.0).unwrap_err();
     let expected = "station 3 of \"t.yaml\" is at 48 m from the root, expected a position on the \
                     line, from 0 to 47 m";
@@ -278,6 +284,11 @@ fn faults_are_reported_with_their_remedies() {
             "file = \"hawc2_ae.dat\"\nairfoil_file = \"hawc2_pc.dat\"\n",
             "\"hawc2_ae.dat\" has no twist, expected \"twist_file\"",
         ),
+        // A wrong file of airfoils alone: the ones that it may have are not missing.
+        (
+            "file = \"AeroDyn15_blade.dat\"\nairfoil_file = \"hawc2_ae.dat\"\n",
+            "hawc2_ae.dat",
+        ),
         (
             "file = \"hawc2_ae.dat\"\nset = 2\nairfoil_file = \"hawc2_pc.dat\"\n",
             "set 2 is missing",
@@ -288,5 +299,36 @@ fn faults_are_reported_with_their_remedies() {
         let shown = read_straight(&format!("[blade_air]\n{keys}"), &iea, 117.2).unwrap_err();
         assert!(shown.contains(expected), "{expected:?} in:\n{shown}");
         assert!(shown.contains("help"), "{shown}");
+        let is_missing = keys.matches('\n').count() == 1 && keys.contains("AeroDyn15");
+        assert_eq!(shown.contains("no airfoils for"), is_missing, "{shown}");
     }
+}
+
+// The thicknesses of the file, 23 % at the tip, as fractions: less than any of the airfoils, in percent.
+#[test]
+fn thicknesses_as_fractions_name_the_unit_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["hawc2_ae.dat", "hawc2_pc.dat", "AeroDyn15_blade.dat"] {
+        let text = fs::read_to_string(format!("{AERO}/iea15/{name}")).unwrap();
+        let fraction = |line: &str| {
+            let words: Vec<_> = line.split_whitespace().collect();
+            match words[..] {
+                [at, chord, thickness, set] => thickness.parse::<f64>().map_or_else(
+                    |_| line.to_owned(),
+                    |thickness| format!("{at} {chord} {} {set}", thickness / 100.0),
+                ),
+                _ => line.to_owned(),
+            }
+        };
+        let text = match name {
+            "hawc2_ae.dat" => text.lines().map(fraction).collect::<Vec<_>>().join("\n"),
+            _ => text,
+        };
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let keys = "[blade_air]\nfile = \"hawc2_ae.dat\"\nairfoil_file = \"hawc2_pc.dat\"\n";
+    let shown = read_straight(keys, folder.path().to_str().unwrap(), 117.2).unwrap_err();
+    let expected = "% of the chord, less than any airfoil\n  help: the ae file of HAWC2 has thicknesses in percent \
+                    of the chord: ";
+    assert!(shown.contains(expected), "{shown}");
 }
