@@ -54,3 +54,20 @@ fn steps_that_are_too_long_are_remarked_with_their_error() {
         );
     }
 }
+
+// Induced velocities of a frozen wake are constants: as states their roots would be near -A/E, of 864000 s and A of 13
+// with blades as lightly loaded as these, -1.5e-5 1/s. The flapping of the blades is damped by their lift.
+#[test]
+fn a_frozen_wake_has_no_roots() {
+    let air = "[rotor.blade.aerodynamics]\nsection = \"quasi_steady\"\nstrips = 2\nstations = [\n\
+               { at = 0.6, chord = 0.3, airfoil = \"naca0012\" },\n\
+               { at = 4.8, chord = 0.3, airfoil = \"naca0012\" } ]\n\
+               [rotor.inflow]\nwake = \"frozen\"\n\
+               [air]\ndensity = 1.225\nwind = [3, 0, 5]\n";
+    let result = blades(["stiffness = 1e5", air], "steps = 16");
+    let roots = &result.points[0].roots;
+    assert!(!roots.is_empty());
+    for root in roots {
+        assert!(root.growth() < -1.0, "{root:?}");
+    }
+}
