@@ -75,4 +75,4 @@ pub use transient::{
     Heading, RunFileProblem, RunFiles, TimePlot, TimeTable, effort_text, not_drawn_text,
     parse_snapshot, read_snapshot, write_snapshot,
 };
-pub use trim::{trim_csv, trim_json, trim_text, write_trim};
+pub use trim::{trim_csv, trim_failure, trim_json, trim_text, write_trim};

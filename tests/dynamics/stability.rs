@@ -12,6 +12,7 @@ mod follower;
 mod ground_resonance;
 mod names;
 mod problems;
+mod resolution;
 mod rotor;
 mod section_flutter;
 mod trimmed;

@@ -3,17 +3,18 @@
 //! The equation of a scalar x that relaxes is `E x' + A x = f`, with the time constant
 //!
 //! ```text
-//! E / A > 1e5 s
+//! E / A > 1e4 s
 //! ```
 //!
-//! 1e5 s are a day; a frozen wake has ten. Such scalars are constants of small motions: the roots of their own, near
+//! 1e4 s are three hours; E of a frozen wake is ten days, and A is up to some tens where the induced velocity of
+//! lightly loaded blades opposes itself by their lift. Such scalars are constants of small motions: the roots of their own, near
 //! `-A/E`, would be the least damped ones of all.
 
 use crate::assembly::Sparse;
 use crate::model::Numbering;
 
 /// Rate of relaxation below which a scalar is constant \[1/s\].
-const SLOWEST: f64 = 1e-5;
+const SLOWEST: f64 = 1e-4;
 /// Rate below which a root is zero \[1/s\].
 const ZERO: f64 = 1e-7;
 

@@ -46,6 +46,9 @@ use shooting::{Orbit, Shooting};
 
 /// Factors of the number of steps with which a period of the start is marched if it fails.
 const FINER: [usize; 4] = [2, 4, 8, 16];
+/// Periods that are marched before a second search without controls, if the first one does not converge: one
+/// period may leave parts far from the motion.
+const SETTLED: usize = 5;
 /// Least steps of the second analysis for the estimate of errors.
 const LEAST_STEPS: usize = 8;
 
@@ -152,24 +155,26 @@ fn find(
         border: &border,
         sizes: &sizes,
     };
-    let settle = if is_given { 0 } else { settings.settle };
     let found = search(
         (&shooting, &algebraic),
         &mut flow,
-        (state, settle),
+        (state, if is_given { 0 } else { settings.settle }),
         &mut Passes::new(&mut result.passes, watch),
     );
     result.periods = flow.periods;
-    result.controls = controls_at(&border, settings, state);
-    result.targets = last_reached(&result.passes);
     let first = found.as_ref().map_or(&*state, Found::first);
-    result.stall = stall_of(&mut flow, &shooting, first);
-    let found = found.map_err(|failure| failure.with_stall(result.stall))?;
+    result.controls = controls_at(&border, settings, first);
+    let (end, stall) = shown(&mut flow, &shooting, first);
+    result.stall = stall;
+    let found = found.map_err(|failure| {
+        let passes = &mut Passes::new(&mut result.passes, watch);
+        result.targets = ended(&shooting, state, (end, &algebraic), passes);
+        failure.with_stall(stall)
+    })?;
     result.is_periodic = true;
     state.copy_from(found.first());
-    result.controls = controls_at(&border, settings, state);
     result.targets = border.reached(found.end());
-    let remarks = operation(model, (state, &conditions), result.stall);
+    let remarks = operation(model, (state, &conditions), stall);
     result.remarks.extend(remarks);
     result.floquet = stability(&shooting, &mut flow, found)?;
     Ok(())
@@ -190,12 +195,6 @@ fn operation(
     operation.remarks()
 }
 
-/// Means of the targets in the last pass.
-fn last_reached(passes: &[PeriodicPass]) -> Vec<f64> {
-    let last = passes.last();
-    last.map_or_else(Vec::new, |last| last.reached.clone())
-}
-
 /// Finds the motion by the requested method from a state, which becomes the last state of the search,
 /// after some periods that are marched.
 fn search(
@@ -212,9 +211,18 @@ fn search(
             pilot::pilot(shooting, flow, (state, own), passes).map(marched)
         }
         (PeriodicMethod::Shooting, None) => {
+            let begun = state.clone();
             settled(shooting, flow, (state, settle))?;
-            let orbit = approach::approach(shooting, flow, state, passes)?;
-            Ok(Found::Shot(Box::new(orbit)))
+            let mut found = approach::approach(shooting, flow, state, passes);
+            let is_far = matches!(found, Err(PeriodicFailure::NotConverged { .. }));
+            if is_far && shooting.border.count() == 0 && settle < SETTLED {
+                let mut later = begun;
+                if settled(shooting, flow, (&mut later, SETTLED)).is_ok() {
+                    *state = later;
+                    found = approach::approach(shooting, flow, state, passes);
+                }
+            }
+            found.map(|orbit| Found::Shot(Box::new(orbit)))
         }
         (PeriodicMethod::March, None) => {
             let at = (state.clone(), algebraic, shooting.sizes);
@@ -346,21 +354,46 @@ fn controls_at(border: &Border, settings: &PeriodicSettings, state: &State) -> V
     names.zip(border.values(state)).collect()
 }
 
-/// Stall of the blades in the period that begins with a state, as far as it can be integrated, if there
-/// are controls.
-fn stall_of(flow: &mut Flow<'_>, shooting: &Shooting<'_>, state: &State) -> Option<Stall> {
-    if shooting.border.count() == 0 {
-        return None;
+/// The means in the period from the last state of a search that failed, whose controls are reported, to its end, if
+/// there is one; the period becomes the last pass.
+fn ended(
+    shooting: &Shooting<'_>,
+    state: &State,
+    (end, algebraic): (Option<State>, &[bool]),
+    passes: &mut Passes<'_>,
+) -> Vec<f64> {
+    let Some(end) = end else {
+        return Vec::new();
+    };
+    let last = shooting.pass(state, (&end, algebraic));
+    let reached = last.reached.clone();
+    let before = passes.list().last();
+    if before.is_none_or(|before| before.reached != reached) {
+        passes.push(last);
+    }
+    reached
+}
+
+/// The end of the period that begins with a state, and stall of the blades as far as the period can be
+/// integrated, if there are targets.
+fn shown(
+    flow: &mut Flow<'_>,
+    shooting: &Shooting<'_>,
+    state: &State,
+) -> (Option<State>, Option<Stall>) {
+    if shooting.border.unknowns().is_empty() {
+        return (None, None);
     }
     let mut sum = StallSum::new(&shooting.model.system);
-    let periods = flow.periods;
+    let (periods, mut begun) = (flow.periods, state.clone());
+    shooting.border.begin(&mut begun);
     // A period that fails has shown the states before.
-    let _whole = flow.run(state, &mut |passed| {
+    let whole = flow.run(&begun, &mut |passed| {
         sum.add(passed.state, passed.conditions);
         true
     });
     flow.periods = periods;
-    sum.found()
+    (whole.ok(), sum.found())
 }
 
 /// The multipliers, if they are requested.
@@ -412,9 +445,7 @@ fn stability(
         words: settings.words,
     };
     let coarse = coarse(shooting, &fine, (&orbit.state, flow.steps() / 2), settings);
-    let coarse = coarse
-        .as_ref()
-        .map(|coarse| (coarse, shooting.settings.stages()));
+    let coarse = (coarse.as_ref(), shooting.settings.stages());
     Ok(Some(floquet::table(
         (&fine, &largest),
         settings,

@@ -416,7 +416,9 @@ fn in_motion(input: Input, from: Option<&State>, watch: &mut dyn FnMut(&Periodic
         .map(|(found, required)| [found, required])
         .collect();
     solved.iterations = result.passes.len().saturating_sub(1);
-    solved.residual = result.passes.last().map_or(f64::NAN, |pass| pass.residual);
+    // Targets are known if the last pass is of the controls.
+    let last = result.passes.last().filter(|_| !result.targets.is_empty());
+    solved.residual = last.map_or(f64::NAN, |pass| pass.residual);
     solved.failure = outcome
         .failure
         .map(|failure| [failure.to_string(), failure.remedy()]);

@@ -84,19 +84,10 @@ fn report_failure(
     location: &ResultLocation,
     terminal: &mut Terminal<'_>,
 ) -> u8 {
-    let failed = result
-        .points
-        .iter()
-        .find_map(|point| Some((point, point.failure.as_ref()?)));
-    let Some((point, [reason, remedy])) = failed else {
+    let Some(failure) = output::trim_failure(result) else {
         return DONE;
     };
-    let place = match (&result.sweep, point.at) {
-        (Some(sweep), Some(at)) => format!(" at {sweep} = {}", input::short_number(at, 6)),
-        _ => String::new(),
-    };
-    let name = &location.name;
-    terminal.report_text(&format!("error: {name}{place}: {reason}\n  help: {remedy}"));
+    terminal.report_text(&format!("error: {}{failure}", location.name));
     NOT_REACHED
 }
 

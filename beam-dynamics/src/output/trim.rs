@@ -8,4 +8,4 @@ mod text;
 pub use files::write_trim;
 pub use json::trim_json;
 pub use table::trim_csv;
-pub use text::trim_text;
+pub use text::{trim_failure, trim_text};

@@ -125,6 +125,14 @@ fn a_failed_trim_shows_the_values_that_are_reached() {
         assert!(run.out.contains(words), "{words}: {}", run.out);
     }
     assert!(!folder.path("results/mass.harmonics.csv").exists());
+    // The report has the reason and the remedy of the terminal.
+    let report = folder.read("results/mass.trim.txt");
+    for words in [
+        "error: the control \"pull\" reaches its bound 100",
+        "  help: move",
+    ] {
+        assert!(report.contains(words), "{words}: {report}");
+    }
     let sound = trim.replace("upper = 100", "upper = 1000");
     folder.write("mass.dynamics.toml", &model(&format!("{sound}{output}")));
     let run = folder.run(&["trim", "mass.dynamics.toml"]);

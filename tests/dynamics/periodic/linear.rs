@@ -108,6 +108,40 @@ fn motion_that_does_not_repeat_is_a_status() {
     assert!(text.contains("singular") && text.contains("mass"), "{text}");
 }
 
+// A pendulum of period 2 s with a damper that begins far from its motion: one iteration is too few after one
+// period, in which the motion decays by exp(-4) only, and enough after five, by exp(-20): the search begins again
+// there. With more periods before the first search there is no second one.
+#[test]
+fn a_search_that_does_not_converge_begins_again_after_five_periods() {
+    let swing = |settings: &str| {
+        format!(
+            "[[node]]\nname = \"bob\"\nposition = [1, 0, 0]\n\
+             [[body]]\nname = \"bob\"\nnode = \"bob\"\nmass = 2\ninertia = [1, 1, 1]\n\
+             [[joint]]\nname = \"hinge\"\nkind = \"revolute\"\nnodes = [\"bob\"]\nat = [0, 0, 0]\n\
+             axis = [0, 1, 0]\n\
+             [[spring]]\nname = \"damper\"\nnode = \"bob\"\nrotational_damping = [0, 12, 0]\n\
+             [[load]]\nnode = \"bob\"\nmoment = [0, 1, 0]\ndrive = \"= 4*cos(3.141592653589793*t)\"\n\
+             [[load]]\nnode = \"bob\"\nforce = [0, 0, -40]\n\
+             [periodic]\nperiod = 2\ntolerance = 1e-7\n{settings}\n"
+        )
+    };
+    let exact = analyzed(&swing("")).0;
+    let (again, _) = analyzed(&swing("iterations = 1"));
+    assert!(again.result.passes.len() > 2, "{:#?}", again.result.passes);
+    let [own, expected] = [&again, &exact].map(|own| own.state.as_ref().unwrap().nodes[0].position);
+    assert!((own - expected).norm() < 1e-6, "{own} {expected}");
+    let none = attempt(
+        &swing("settle = 5\niterations = 1\ntolerance = 1e-30").replace("tolerance = 1e-7\n", ""),
+    )
+    .0;
+    assert_eq!(none.result.passes.len(), 2, "{:#?}", none.result.passes);
+    let remedy = none.failure.unwrap().remedy();
+    assert!(
+        remedy.contains("more \"steps\"") && !remedy.contains("rotating"),
+        "{remedy}"
+    );
+}
+
 /// A system `x' = (A + B cos(w t)) x` of the given size and period two.
 fn system(a: &DMatrix<f64>, b: &DMatrix<f64>) -> String {
     let n = a.nrows();

@@ -114,6 +114,45 @@ fn targets_beyond_the_last_motion_are_named() {
     );
 }
 
+// A tolerance below round-off: neither the motion of the targets nor the one of the first guess repeats to it, in
+// this order. The targets that are shown are the ones of the controls that are shown: means of `a/50` and `b/50`, as
+// the stiffness is 50 N/m and the waves have no mean, to the settling of the linear motion by Newton's method.
+#[test]
+fn the_targets_of_a_failed_trim_are_the_ones_of_its_controls() {
+    let settings = "[periodic]\nperiod = 1\nsteps = 8\ntolerance = 1e-30\n[trim]\n";
+    let wave = "*(1 + cos(6.283185307179586*t)/3)";
+    let text = plate(&format!("a{wave}"), &format!("b{wave}"), settings);
+    let text = text.replace("name = \"a\"\n", "name = \"a\"\nguess = 1\n");
+    let outcome = attempt(&text);
+    let point = &outcome.result.points[0];
+    assert!(point.failure.is_some(), "{point:?}");
+    let pairs = point.controls.iter().zip(&point.targets);
+    assert_eq!((pairs.len(), point.controls.len()), (2, 2), "{point:?}");
+    for (control, [found, _]) in pairs {
+        assert!((found - control / 50.0).abs() < 1e-9, "{point:?}");
+    }
+    assert!(
+        point.controls[1].abs() > 1.0 && point.residual < 1e-9,
+        "{point:?}"
+    );
+}
+
+// A force of 10 N at most on 50 N/m, and 9 N with the guess: the first step on the way to 9 m needs 22 N, so that no
+// motion is nearer to the target than the one of the guess.
+#[test]
+fn a_guess_that_is_the_end_is_named() {
+    let text = plate("10 - a*a", "0", METHODS[0]).replace("value = 0.3", "value = 9");
+    let text = text.replace("[[trim.control]]\nname = \"b\"\nupper = 40\n", "");
+    let (text, _) = text
+        .split_once("[[trim.target]]\nname = \"ahead\"")
+        .unwrap();
+    let [text, _] = reason(&text.replace("name = \"a\"", "name = \"a\"\nguess = 1"));
+    println!("{text}");
+    let begin = "no motion is nearer to the targets than the one of the first guess, in which \"to the right\" is \
+                 farthest from its value: \"to the right\" = 0.18 in place of 9";
+    assert!(text.starts_with(begin), "{text}");
+}
+
 // Each iteration of each point is shown.
 #[test]
 fn the_progress_of_a_sweep_is_shown() {

@@ -10,13 +10,13 @@
 //! the values, one target after the other stays at its last mean: the one without which all others have a
 //! motion is out of reach.
 
+use super::border::Border;
 use super::failure::PeriodicFailure;
 use super::flow::Flow;
 use super::passes::Passes;
 use super::shooting::{Orbit, Shooting};
 use crate::case::PeriodicSettings;
 use crate::model::State;
-use crate::result::PeriodicPass;
 
 /// First h.
 const FIRST: f64 = 0.25;
@@ -66,8 +66,8 @@ pub(super) fn approach(
         settings: &short,
         ..*shooting
     };
-    let (met, is_all) = grown(&short, flow, (state, orbit), passes);
-    if is_all {
+    let (met, part) = grown(&short, flow, (state, orbit), passes);
+    if part == 1.0 {
         return Ok(met);
     }
     let longer = Shooting {
@@ -79,16 +79,17 @@ pub(super) fn approach(
         None => (None, met),
     };
     state.copy_from(&met.state);
-    Err(limited(shooting, (first, beyond), &met, passes))
+    let is_guess = part == 0.0 && beyond.is_none();
+    Err(limited(shooting.border, (first, beyond), &met, is_guess))
 }
 
-/// The last motion that was found while the targets grow from one to their values, and whether they have these.
+/// The last motion that was found while the targets grow from one to their values, and the part of the way to these.
 fn grown(
     shooting: &Shooting<'_>,
     flow: &mut Flow<'_>,
     (state, mut met): (&mut State, Orbit),
     passes: &mut Passes<'_>,
-) -> (Orbit, bool) {
+) -> (Orbit, f64) {
     let from = shooting.border.reached(&met.end);
     let (mut part, mut step) = (0.0, FIRST);
     while step >= LEAST {
@@ -100,7 +101,7 @@ fn grown(
         };
         state.copy_from(&met.state);
         match partly.solve(flow, state, passes) {
-            Ok(orbit) if next == 1.0 => return (orbit, true),
+            Ok(orbit) if next == 1.0 => return (orbit, next),
             Ok(orbit) => {
                 (met, part) = (orbit, next);
                 step = f64::min(2.0 * step, FIRST);
@@ -108,7 +109,7 @@ fn grown(
             Err(_) => step *= 0.5,
         }
     }
-    (met, false)
+    (met, part)
 }
 
 /// The index of a target without which the other ones are met, the farthest first, with the motion in which they
@@ -140,30 +141,33 @@ fn without_one(
     })
 }
 
-/// The failure of a search that ended at a motion on its way.
+/// The failure of a search that ended at a motion on its way, or at the one of the first guess.
 fn limited(
-    shooting: &Shooting<'_>,
+    border: &Border,
     (first, beyond): (PeriodicFailure, Option<&str>),
     met: &Orbit,
-    passes: &mut Passes<'_>,
+    is_guess: bool,
 ) -> PeriodicFailure {
-    let reached = shooting.border.reached(&met.end);
-    // The last pass is of this motion, whose controls and means are reported.
-    let errors = shooting.border.errors(&reached).into_iter();
-    passes.push(PeriodicPass {
-        residual: errors.fold(0.0, |largest, error| error.abs().max(largest)),
-        worst: "targets of the last motion that was found".to_owned(),
-        products: 0,
-        part: 0.0,
-        reached: reached.clone(),
-    });
+    let reached = border.reached(&met.end);
+    let farthest = border.farthest(&reached);
+    let differences = border.differences(&reached, NOT_MET);
     PeriodicFailure::Limited {
         first: Box::new(first),
         beyond: beyond.map_or_else(String::new, |name| {
             format!("\"{name}\" is out of reach while all other targets are met: ")
         }),
-        reached: shooting.border.differences(&reached, NOT_MET),
-        controls: shooting.border.written(&met.state),
+        way: if is_guess {
+            format!(
+                "no motion is nearer to the targets than the one of the first guess, in which \
+                 \"{farthest}\" is farthest from its value: {differences}"
+            )
+        } else {
+            format!(
+                "targets that change from their values at the first guess are met up to \
+                 {differences}"
+            )
+        },
+        controls: border.written(&met.state),
         stall: String::new(),
     }
 }

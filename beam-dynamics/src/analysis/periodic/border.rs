@@ -105,6 +105,13 @@ impl Border {
         texts.collect::<Vec<_>>().join(", ")
     }
 
+    /// The name of the control's target that means are farthest from, in its scale.
+    pub fn farthest(&self, means: &[f64]) -> &str {
+        let errors = self.errors(means).into_iter().map(f64::abs).enumerate();
+        let farthest = errors.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        farthest.map_or("", |(index, _)| self.target_name(index))
+    }
+
     /// All their unknowns: those without a part in the modes.
     pub fn unknowns(&self) -> Vec<usize> {
         self.controls

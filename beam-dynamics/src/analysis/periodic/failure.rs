@@ -60,17 +60,14 @@ pub enum PeriodicFailure {
         step: Box<StepFailure>,
     },
     /// Targets that grow from the means with the first guesses are met up to a part of the way only.
-    #[error(
-        "{beyond}targets that change from their values at the first guess are met up to {reached}, \
-         with {controls}{stall}; the search for all targets at once: {first}"
-    )]
+    #[error("{beyond}{way}, with {controls}{stall}; the search for all targets at once: {first}")]
     Limited {
         /// The failure of the search without growing targets.
         first: Box<PeriodicFailure>,
         /// The target that is out of reach as text, perhaps empty.
         beyond: String,
-        /// The last values of the targets, as text.
-        reached: String,
+        /// The end of the way with the last values of the targets, as text.
+        way: String,
         /// The controls with their values there, as text.
         controls: String,
         /// Stall there as text, perhaps empty.
@@ -184,7 +181,7 @@ impl PeriodicFailure {
                  of all periods of drives and rotors"
             }
             Self::NotConverged { .. } => {
-                "start nearer to the periodic motion: start = \"rotating\", or a larger \
+                "use more \"steps\" in the period, or begin nearer to the periodic motion with a larger \
                  \"settle\"; check that the period is a multiple of all periods of drives and rotors"
             }
             Self::Unreached { .. } | Self::Limited { .. } => {

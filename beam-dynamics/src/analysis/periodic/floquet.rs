@@ -82,19 +82,19 @@ pub(super) fn table(
     (monodromy, found): (&Monodromy<'_>, &Largest),
     settings: &FloquetSettings,
     observer: &Observer<'_>,
-    coarse: Option<(&Largest, usize)>,
+    (coarse, stages): (Option<&Largest>, usize),
 ) -> FloquetTable {
     let mut pure = found.clone();
     separate(&mut pure, observer, monodromy.sizes);
     let modes = pure.pairs.iter().map(|pair| {
         let mut mode = mode((monodromy, pair), settings, observer);
-        if let Some((coarse, stages)) = coarse {
+        if settings.estimates_error {
             // Halved steps have 2^p times the error of the exponents, p = 2 s - 1.
             let factor = f64::from((1 << (2 * stages - 1)) - 1);
             let step = observer.period / monodromy.map.steps() as f64;
             let least = step_error(mode.in_blades, step, stages);
-            let found = error(pair, coarse, observer.period);
-            mode.error = found.map(|off| (off / factor).max(least));
+            let found = coarse.and_then(|coarse| error(pair, coarse, observer.period));
+            mode.error = Some(found.map_or(least, |off| (off / factor).max(least)));
         }
         mode
     });

@@ -132,13 +132,7 @@ impl Shooting<'_> {
             let map = map.ok_or(PeriodicFailure::SingularStep)?;
             let (residual, (index, part)) = self.residual(state, (&end, map.algebraic()), &rows);
             let worst = self.name(index, part, rows[index]);
-            passes.push(PeriodicPass {
-                residual: part,
-                worst: worst.clone(),
-                products: 0,
-                part: 0.0,
-                reached: self.border.reached(&end),
-            });
+            passes.push(self.pass(state, (&end, map.algebraic())));
             if part <= self.settings.tolerance {
                 let state = state.clone();
                 return self.determined(Orbit { state, end, map }, &rows);
@@ -222,6 +216,19 @@ impl Shooting<'_> {
         self.border.complete(&mut residual, end);
         let worst = worst(&residual, rows);
         (residual, worst)
+    }
+
+    /// A period from a state, without a correction.
+    pub fn pass(&self, state: &State, (end, algebraic): (&State, &[bool])) -> PeriodicPass {
+        let rows = self.border.sizes(self.sizes);
+        let (_, (index, part)) = self.residual(state, (end, algebraic), &rows);
+        PeriodicPass {
+            residual: part,
+            worst: self.name(index, part, rows[index]),
+            products: 0,
+            part: 0.0,
+            reached: self.border.reached(end),
+        }
     }
 
     /// The solution in sizes of the unknowns; `None` if it is not finite.

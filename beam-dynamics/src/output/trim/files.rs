@@ -4,7 +4,7 @@ use shared_geom::files::{OutputProblem, make_folder};
 
 use super::json::trim_json;
 use super::table::trim_csv;
-use super::text::trim_text;
+use super::text::{trim_failure, trim_text};
 use crate::output::Written;
 use crate::output::folder::{ResultLocation, Results};
 use crate::result::TrimResult;
@@ -29,7 +29,8 @@ pub fn write_trim(
     let mut results = Results::new(location);
     results.remove([TABLE, TEXT, JSON].into_iter().chain(PLOT));
     results.text(TABLE, &trim_csv(result))?;
-    results.text(TEXT, &trim_text(result))?;
+    let failure = trim_failure(result).map(|text| format!("error{text}\n"));
+    results.text(TEXT, &(trim_text(result) + &failure.unwrap_or_default()))?;
     if json {
         results.text(JSON, &trim_json(result))?;
     }

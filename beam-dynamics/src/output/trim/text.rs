@@ -28,6 +28,18 @@ pub fn trim_text(result: &TrimResult) -> String {
     text
 }
 
+/// The first point that is not met, with its reason and its remedy; `None` if all are met.
+pub fn trim_failure(result: &TrimResult) -> Option<String> {
+    let mut points = result.points.iter();
+    let (point, [reason, remedy]) =
+        points.find_map(|point| Some((point, point.failure.as_ref()?)))?;
+    let place = match (&result.sweep, point.at) {
+        (Some(sweep), Some(at)) => format!(" at {sweep} = {}", short_number(at, 6)),
+        _ => String::new(),
+    };
+    Some(format!("{place}: {reason}\n  help: {remedy}"))
+}
+
 fn single(result: &TrimResult, point: &TrimPoint) -> String {
     let mut text = format!(
         "\n{}, largest residual {:.3e}\n\nControls\n",
@@ -38,6 +50,9 @@ fn single(result: &TrimResult, point: &TrimPoint) -> String {
         text.push_str(&format!("  {name} = {}\n", short_number(*value, DIGITS)));
     }
     text.push_str("\nTargets\n");
+    if point.targets.is_empty() && !point.controls.is_empty() {
+        text.push_str("  unknown: the period from the last state has no solution\n");
+    }
     for (name, [found, required]) in result.targets.iter().zip(&point.targets) {
         text.push_str(&format!(
             "  {name} = {}, required {}, error {:.1e}\n",
