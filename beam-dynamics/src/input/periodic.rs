@@ -45,6 +45,12 @@ pub enum PeriodicProblem {
     /// A rotor at rest.
     #[error("\"speed\" is 0, expected the speed of the rotor")]
     AtRest,
+    /// A rotor at rest has no period.
+    #[error("the period is the one of rotor \"{name}\", whose speed is 0")]
+    RotorAtRest {
+        /// Name of the rotor.
+        name: String,
+    },
     /// A start without speed.
     #[error("\"start\" is \"rotating\", but there is no \"speed\"")]
     NoSpeed,
@@ -54,6 +60,7 @@ impl Explain for PeriodicProblem {
     fn help(&self) -> Option<String> {
         let text = match self {
             Self::Ways { .. } => "write period = \"0.2 s\", or speed = \"300 rpm\"",
+            Self::RotorAtRest { .. } => "give it another speed, or write \"period\"",
             Self::AtRest => "write the speed, or \"period\" for a model without rotor",
             Self::NoSpeed => "add \"speed\", or write start = \"equilibrium\"",
         };
@@ -63,6 +70,12 @@ impl Explain for PeriodicProblem {
 
 /// Names of rotors of constant speed, and their speeds \[rad/s\]; `None` if a rotor is wrong.
 type Turning<'a> = Option<Vec<(&'a str, f64)>>;
+
+/// The first rotor that turns.
+fn first_turning<'a>(rotors: &Turning<'a>) -> Option<(&'a str, f64)> {
+    let mut rotors = rotors.iter().flatten();
+    rotors.find(|(_, speed)| *speed != 0.0).copied()
+}
 
 /// Reads `[periodic]` of a file with rotors that turn at constant speeds; `Some(None)` without the card.
 pub(super) fn read(
@@ -150,7 +163,7 @@ fn in_turns(
     rotors: &Turning<'_>,
     builder: &mut ModelBuilder,
 ) -> (f64, Option<f64>) {
-    let Some((name, own)) = rotors.as_ref().and_then(|rotors| rotors.first()) else {
+    let Some((name, own)) = first_turning(rotors) else {
         return (period, speed);
     };
     let turns = own.abs() * period / TAU;
@@ -164,7 +177,7 @@ fn in_turns(
         "the period of [periodic] is {} s, the time of {} of rotor \"{name}\" at {}, in place of {} s",
         short_number(exact, DIGITS),
         if whole == 1.0 { "one turn".to_owned() } else { format!("{whole} turns") },
-        rpm(*own),
+        rpm(own),
         short_number(period, DIGITS)
     )]);
     (exact, speed.map(|speed| speed * period / exact))
@@ -175,7 +188,8 @@ fn period(table: &Table<'_>, rotors: &Turning<'_>) -> Option<(f64, Option<f64>)>
     let (period, speed) = (table.get(&PERIOD), table.get(&SPEED));
     let revolutions = table.get(&REVOLUTIONS);
     let (period, speed, revolutions) = (period?, speed?, revolutions?);
-    let of_rotor = rotors.iter().flatten().next().map(|rotor| rotor.1);
+    let of_rotor = first_turning(rotors).map(|rotor| rotor.1);
+    let at_rest = rotors.iter().flatten().next();
     let speed = speed.or(of_rotor.filter(|_| period.is_none()));
     match (period, speed) {
         (Some(period), None) => Some((period, None)),
@@ -187,11 +201,18 @@ fn period(table: &Table<'_>, rotors: &Turning<'_>) -> Option<(f64, Option<f64>)>
         // The rotor that has the speed is wrong, which is noted.
         (None, None) if rotors.is_none() => None,
         (found, _) => {
-            let (key, found) = match found {
-                Some(_) => (PERIOD.name(), "both \"period\" and \"speed\""),
-                None => ("", "nothing"),
+            let (key, problem) = match (found, at_rest) {
+                (Some(_), _) => {
+                    let found = "both \"period\" and \"speed\"";
+                    (PERIOD.name(), PeriodicProblem::Ways { found })
+                }
+                (None, Some((name, _))) => {
+                    let name = (*name).to_owned();
+                    ("", PeriodicProblem::RotorAtRest { name })
+                }
+                (None, None) => ("", PeriodicProblem::Ways { found: "nothing" }),
             };
-            table.note(key, &PeriodicProblem::Ways { found });
+            table.note(key, &problem);
             None
         }
     }

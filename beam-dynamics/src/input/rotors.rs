@@ -150,11 +150,11 @@ pub(super) fn expand(document: &mut Document, inputs: &[String]) -> Rotors {
     is_sound.then(|| placed.collect()).ok_or_else(Vec::new)
 }
 
-/// The rotors that turn at a constant speed other than zero, by name \[rad/s\]; `None` if one is wrong.
+/// The rotors of constant speed, by name \[rad/s\]; `None` if one is wrong.
 pub(super) fn turning(rotors: &Rotors) -> Option<Vec<(&str, f64)>> {
     let rotors = rotors.as_deref().ok()?.iter();
     let turning = rotors.filter_map(|rotor| Some((rotor.name.as_str(), rotor.speed?)));
-    Some(turning.filter(|(_, speed)| *speed != 0.0).collect())
+    Some(turning.collect())
 }
 
 /// Notes `[stability]` by averaged coefficients if a rotor, or the model, has too few blades.

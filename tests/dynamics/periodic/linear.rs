@@ -130,10 +130,9 @@ fn a_search_that_does_not_converge_begins_again_after_five_periods() {
     assert!(again.result.passes.len() > 2, "{:#?}", again.result.passes);
     let [own, expected] = [&again, &exact].map(|own| own.state.as_ref().unwrap().nodes[0].position);
     assert!((own - expected).norm() < 1e-6, "{own} {expected}");
-    let none = attempt(
-        &swing("settle = 5\niterations = 1\ntolerance = 1e-30").replace("tolerance = 1e-7\n", ""),
-    )
-    .0;
+    // With little damping five periods are not enough, and there is no third search.
+    let loose = swing("settle = 5\niterations = 1").replace("[0, 12, 0]", "[0, 0.5, 0]");
+    let none = attempt(&loose.replace("tolerance = 1e-7", "tolerance = 1e-13")).0;
     assert_eq!(none.result.passes.len(), 2, "{:#?}", none.result.passes);
     let remedy = none.failure.unwrap().remedy();
     assert!(

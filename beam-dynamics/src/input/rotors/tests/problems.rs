@@ -19,6 +19,16 @@ fn periods_are_whole_turns() {
     }
 }
 
+/// A rotor at rest gives no period, and is named.
+#[test]
+fn a_rotor_at_rest_has_no_period() {
+    let found = refused(&text("rigid", "speed = 0", "[periodic]\nsteps = 16\n"));
+    let expected = "the period is the one of rotor \"r\", whose speed is 0";
+    assert!(found.contains(expected), "{found}");
+    let given = text("rigid", "speed = 0", "[periodic]\nperiod = 1\nsteps = 16\n");
+    parse(&given, "r.dynamics.toml").unwrap_or_else(|problems| panic!("{problems}"));
+}
+
 /// A first instant between whole turns: the model of the file is at azimuth zero.
 #[test]
 fn runs_begin_at_whole_turns() {
