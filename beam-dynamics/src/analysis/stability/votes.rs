@@ -29,12 +29,10 @@ fn key(root: &StabilityRoot) -> Key {
 /// identified by it, but the one whose mode has most votes.
 pub(super) fn settle(points: &mut [StabilityPoint]) {
     let (elected, others) = named_chains(points);
-    let is_named = |(point, root): &Place| points[*point].roots[*root].is_named;
-    let others: Vec<_> = others
-        .into_iter()
-        .filter(|chain| !chain.iter().all(is_named))
-        .collect();
     for chain in others {
+        if roots(points, &chain).all(|root| root.is_named) {
+            continue;
+        }
         let Some((name, pattern, number)) = common(points, &chain) else {
             continue;
         };
@@ -76,14 +74,13 @@ fn named_chains(points: &[StabilityPoint]) -> (Vec<Named>, Vec<Vec<Place>>) {
     let long = chains(points)
         .into_iter()
         .filter(|chain| chain.len() >= LEAST);
-    let (named, others): (Vec<_>, Vec<_>) = long
-        .map(|chain| (elected(points, &chain), chain))
-        .partition(|own| own.0.is_some());
-    let mut others: Vec<_> = others.into_iter().map(|(_, chain)| chain).collect();
-    let mut done: Vec<_> = named
-        .into_iter()
-        .filter_map(|(name, chain)| Some((name?, chain)))
-        .collect();
+    let (mut done, mut others) = (Vec::new(), Vec::new());
+    for chain in long {
+        match elected(points, &chain) {
+            Some(name) => done.push((name, chain)),
+            None => others.push(chain),
+        }
+    }
     loop {
         let nearest = others.iter().enumerate().filter_map(|(index, chain)| {
             let (name, unlikeness) = nearest(points, (chain, &done))?;
@@ -102,18 +99,16 @@ fn nearest(
     points: &[StabilityPoint],
     (chain, others): (&[Place], &[Named]),
 ) -> Option<((Key, usize), f64)> {
-    let root = |(point, root): &Place| &points[*point].roots[*root];
     let is_free = |own: &&StabilityRoot| {
         !others.iter().any(|((name, _), other)| {
             let is_beside = |place: &Place| {
-                chain.iter().any(|own| own.0 == place.0) && root(place).pattern == own.pattern
+                chain.iter().any(|own| own.0 == place.0)
+                    && points[place.0].roots[place.1].pattern == own.pattern
             };
             *name == key(own) && other.iter().any(is_beside)
         })
     };
-    let free = chain
-        .iter()
-        .map(root)
+    let free = roots(points, chain)
         .filter(|own| own.is_named)
         .filter(is_free);
     let free: Vec<_> = free
@@ -124,21 +119,29 @@ fn nearest(
     Some(((name.clone(), votes), *unlikeness))
 }
 
-/// The motion with pattern and number that most roots of a chain without a name have; of several the first one.
+/// The motion with pattern and number that most roots of a chain without a name have; of several the least one.
 fn common(points: &[StabilityPoint], chain: &[Place]) -> Option<(String, Option<String>, usize)> {
-    let roots = chain
+    let keys = roots(points, chain).map(|own| (own.name.clone(), own.pattern.clone(), own.number));
+    most_frequent(&keys.collect::<Vec<_>>()).map(|(most, _)| most)
+}
+
+/// The roots at the places of a chain.
+fn roots<'a>(
+    points: &'a [StabilityPoint],
+    chain: &'a [Place],
+) -> impl Iterator<Item = &'a StabilityRoot> {
+    chain
         .iter()
-        .map(|(point, root)| &points[*point].roots[*root]);
-    let keys: Vec<_> = roots
-        .map(|own| (own.name.clone(), own.pattern.clone(), own.number))
-        .collect();
-    let count =
-        |key: &(String, Option<String>, usize)| keys.iter().filter(|own| *own == key).count();
-    let most = keys.iter().max_by(|a, b| {
-        let by_count = count(a).cmp(&count(b));
-        by_count.then_with(|| b.cmp(a))
-    });
-    most.cloned()
+        .map(|(point, root)| &points[*point].roots[*root])
+}
+
+/// The most frequent item, of several the least one, and how often it is there.
+fn most_frequent<T: Ord + Clone>(items: &[T]) -> Option<(T, usize)> {
+    let count = |item: &T| items.iter().filter(|own| *own == item).count();
+    let most = items
+        .iter()
+        .max_by(|a, b| count(a).cmp(&count(b)).then_with(|| b.cmp(a)))?;
+    Some((most.clone(), count(most)))
 }
 
 /// The roots that continue each other.
@@ -174,17 +177,9 @@ fn chains(points: &[StabilityPoint]) -> Vec<Vec<Place>> {
 
 /// The name of two thirds of a chain of identified roots, and their number.
 fn elected(points: &[StabilityPoint], chain: &[Place]) -> Option<(Key, usize)> {
-    let named = chain
-        .iter()
-        .map(|(point, root)| &points[*point].roots[*root]);
-    let named: Vec<_> = named.filter(|root| root.is_named).map(key).collect();
-    let count = |key: &Key| named.iter().filter(|own| *own == key).count();
-    let most = named.iter().max_by(|a, b| {
-        let by_count = count(a).cmp(&count(b));
-        by_count.then_with(|| b.cmp(a))
-    })?;
-    let votes = count(most);
-    (3 * votes >= 2 * chain.len()).then(|| (most.clone(), votes))
+    let named = roots(points, chain).filter(|root| root.is_named).map(key);
+    let (most, votes) = most_frequent(&named.collect::<Vec<_>>())?;
+    (3 * votes >= 2 * chain.len()).then_some((most, votes))
 }
 
 #[cfg(test)]
